@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { SAMPLES } from '../../scripts/samples.mjs';
-import { drop, dropAll, grid, openPage, phase, plan, planned, replanned, sample, serious, shot, SIZES } from './page-support.mjs';
+import { drop, dropAll, grid, machineSection, openPage, phase, plan, planned, replanned, sample, serious, shot, SIZES } from './page-support.mjs';
 
 const queue = (page) => page.locator('button.queue');
 const told = (page, words) => page.waitForFunction((w) => document.querySelector('button.queue').textContent.startsWith(w), words);
@@ -109,8 +109,7 @@ test('a sample of an ability comes with a machine that has it, and the next draw
   assert.deepEqual((await open('Parts in parts', 'parts-in-parts.dxf')).machine, own);
   // A change makes the machine the person's own.
   await open('Perforated plate', 'perforated.dxf');
-  const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
-  await machine.evaluate((d) => (d.open = true));
+  const machine = await machineSection(page, SIZES.desktop);
   await replanned(page, () => machine.getByLabel('Longest way between two cuts').fill('30'));
   assert.deepEqual((await open('Parts in parts', 'parts-in-parts.dxf')).machine.levers, { fly: { reach: 30, overcut: 0 } });
 });

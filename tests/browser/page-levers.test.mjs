@@ -3,16 +3,14 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { circle, dxf, square } from '../package/support.mjs';
-import { openPlanned, output, plan, replanned, shot, SIZES } from './page-support.mjs';
+import { machineSection, openPlanned, output, plan, replanned, shot, SIZES } from './page-support.mjs';
 
 const DRAWING = dxf([...square(20, 20, 40), ...square(80, 20, 40), ...square(30, 30, 15)]);
 
 for (const [size, theme] of [['desktop', 'light'], ['desktop', 'dark'], ['phone', 'light'], ['phone', 'dark']]) {
   test(`lifting the head is switched on, changed and switched off (${size}, ${theme})`, async (t) => {
     const page = await openPlanned(t, 'fibre-3kw-thin', 'lift.dxf', DRAWING, { size: SIZES[size], theme, touch: size === 'phone' });
-    if (size === 'phone') await page.locator('.sheet-toggle').click();
-    const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
-    await machine.evaluate((d) => (d.open = true));
+    const machine = await machineSection(page, SIZES[size]);
     const lift = machine.getByLabel('Lift the head between cuts');
     await replanned(page, () => lift.check());
     await replanned(page, () => machine.getByLabel('Lift by').fill('12'));
@@ -33,8 +31,7 @@ for (const [size, theme] of [['desktop', 'light'], ['desktop', 'dark'], ['phone'
 test('a row of holes is cut on the run, and its settings are in the plan', async (t) => {
   const row = dxf(...[20, 30, 40, 50].map((x) => circle(x, 30, 3)), square(10, 10, 60));
   const page = await openPlanned(t, 'fibre-3kw-thin', 'row.dxf', row, { size: SIZES.desktop, theme: 'light' });
-  const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
-  await machine.evaluate((d) => (d.open = true));
+  const machine = await machineSection(page, SIZES.desktop);
   const fly = machine.getByLabel('Cut rows and grids on the run');
   await replanned(page, () => fly.check());
   await replanned(page, () => machine.getByLabel('Longest way between two cuts').fill('12'));
@@ -59,9 +56,7 @@ const ROW = dxf(Array.from({ length: 5 }, (_, k) => square(50 + 50 * k, 50, 40))
 for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
   test(`pieces that tip are marked, and moves over them ignored or avoided (${size}, ${theme})`, async (t) => {
     const page = await openPlanned(t, 'fibre-3kw-thin', 'row.dxf', ROW, { size: SIZES[size], theme, touch: size === 'phone' });
-    if (size === 'phone') await page.locator('.sheet-toggle').click();
-    const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
-    await machine.evaluate((d) => (d.open = true));
+    const machine = await machineSection(page, SIZES[size]);
     const tips = machine.getByLabel('Mind pieces that tip');
     await replanned(page, () => tips.check());
     await replanned(page, () => machine.getByLabel('Pieces drop below').fill('10'));
@@ -88,9 +83,7 @@ const HOLES = dxf(Array.from({ length: 16 }, (_, k) => square(30 + 20 * (k % 4),
 for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
   test(`cuts near each other wait for each other, or have a charge (${size}, ${theme})`, async (t) => {
     const page = await openPlanned(t, 'fibre-3kw-thin', 'holes.dxf', HOLES, { size: SIZES[size], theme, touch: size === 'phone' });
-    if (size === 'phone') await page.locator('.sheet-toggle').click();
-    const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
-    await machine.evaluate((d) => (d.open = true));
+    const machine = await machineSection(page, SIZES[size]);
     const heat = machine.getByLabel('Let cuts cool');
     await replanned(page, () => heat.check());
     await replanned(page, () => machine.getByLabel('Plate thickness').fill('8'));
@@ -115,9 +108,7 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
   test(`parts are joined through waste, and it is drawn, ${size}, ${theme}`, async (t) => {
     const nest = dxf(...[[0, 0], [28, 0], [0, 28], [28, 28]].map(([x, y]) => square(10 + x, 10 + y, 20)));
     const page = await openPlanned(t, 'fibre-6kw-thick', 'nest.dxf', nest, { size: SIZES[size], theme, touch: size === 'phone' });
-    if (size === 'phone') await page.locator('.sheet-toggle').click();
-    const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
-    await machine.evaluate((d) => (d.open = true));
+    const machine = await machineSection(page, SIZES[size]);
     const chains = machine.getByLabel('Join contours through waste');
     await replanned(page, () => chains.check());
     await replanned(page, () => machine.getByLabel('Longest cut through waste').fill('25'));

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { circle, dxf, square } from '../package/support.mjs';
-import { download, openPlanned, plan, replanned, shot, SIZES, still } from './page-support.mjs';
+import { download, machineSection, openPlanned, plan, replanned, shot, SIZES, still } from './page-support.mjs';
 
 // The border of the sheet is clear, and ignored.
 const DRAWING = dxf(square(0, 0, 300, 'SHEET'), square(20, 20, 60), circle(50, 50, 20), circle(150, 100, 30), square(20, 120, 60), circle(50, 150, 20));
@@ -12,9 +12,7 @@ for (const [size, theme] of [['desktop', 'light'], ['desktop', 'dark'], ['phone'
   test(`the skeleton is cut up, drawn, and a strip is kept (${size}, ${theme})`, async (t) => {
     const page = await openPlanned(t, 'fibre-3kw-thin', 'skeleton.dxf', DRAWING, { size: SIZES[size], theme, touch: size === 'phone' });
     const before = await still(page);
-    if (size === 'phone') await page.locator('.sheet-toggle').click();
-    const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
-    await machine.evaluate((d) => (d.open = true));
+    const machine = await machineSection(page, SIZES[size]);
     const on = machine.getByLabel('Cut up the skeleton');
     await replanned(page, () => on.check());
     await replanned(page, () => machine.getByLabel('Greatest width of pieces').fill('100'));

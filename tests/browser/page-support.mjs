@@ -212,6 +212,14 @@ export async function storedWith(page, skipped) {
   await until(page, 'the job is stored', isStored);
 }
 
+/** The machine's section, opened; on a phone after the settings. */
+export async function machineSection(page, size) {
+  if (size === SIZES.phone) await page.locator('.sheet-toggle').click();
+  const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
+  await machine.evaluate((d) => (d.open = true));
+  return machine;
+}
+
 /** Opens the page with a machine and a drawing in millimetres that is planned, the same with the same seed. */
 export async function openPlanned(t, machine, name, bytes, options = {}) {
   const { page } = await openPage(t, { hash: `machine=${machine}&seconds=1&seed=1&units=mm`, ...options });
@@ -224,9 +232,7 @@ export async function openPlanned(t, machine, name, bytes, options = {}) {
 /** The same with a sheet for a fibre laser, and a part of the machine's section open. */
 export async function openMachinePart(t, part, name, bytes, options = {}) {
   const page = await openPlanned(t, 'fibre-3kw-thin', name, bytes, options);
-  if (options.size === SIZES.phone) await page.locator('.sheet-toggle').click();
-  const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
-  await machine.evaluate((d) => (d.open = true));
+  const machine = await machineSection(page, options.size);
   const opened = machine.locator('details.more', { hasText: part });
   await opened.evaluate((d) => (d.open = true));
   return { page, opened };

@@ -39,6 +39,7 @@ pub mod random_plans;
 pub mod replayed;
 pub mod rng;
 pub mod schema;
+pub mod searches;
 pub mod sheets;
 pub mod svg_text;
 

@@ -1,7 +1,7 @@
 //! Plans that Shapely judges: a fixture names the moves of each by their hash, with what was found in them.
 
-use super::fixtures;
 use super::sheets::{machine, nested_sheet};
+use super::{files, fixtures, name};
 use kerfway::job::{Job, LoadOptions, MachineChoice, OutputKind, PlanOptions, problem_of};
 use kerfway::machine::Profile;
 use kerfway::{output, plan, solve};
@@ -9,6 +9,21 @@ use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::path::Path;
+
+/// Larger drawings would take Shapely minutes.
+const MOST_BYTES: usize = 200_000;
+
+/// Real drawings, the sheet of 100 contours and seeded nests, all small.
+pub fn small_drawings(count: u64) -> Vec<(String, Vec<u8>)> {
+    let mut all: Vec<_> = files(&fixtures().join("dxf-dev"), "dxf")
+        .iter()
+        .chain([&fixtures().join("sheets/sheet_100.dxf")])
+        .map(|p| (name(p), std::fs::read(p).unwrap()))
+        .filter(|(_, bytes)| bytes.len() < MOST_BYTES)
+        .collect();
+    all.extend(nests(count));
+    all
+}
 
 /// Seeded nests as drawings.
 pub fn nests(count: u64) -> impl Iterator<Item = (String, Vec<u8>)> {

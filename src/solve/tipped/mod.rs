@@ -33,9 +33,9 @@ const TURN_BY_ITEM: u64 = 4;
 /// Moves by item before the local search begins, while the method gains in every turn: until then its first descent goes on, and
 /// whatever the local search found would be left behind.
 const HEAD_START: u64 = 200;
-/// One move in so many is the local search's while the method gains in every turn, and while it does not.
+/// The local search makes one in four moves while the method gains in every turn, and one in two otherwise.
 const SHARE: [u64; 2] = [4, 2];
-/// Where cuts heat each other, the local search does all moves but one in so many: the method knows nothing of what they cost.
+/// Where heat counts, the method makes one in four moves and the local search the others: the method does not know the cost of heat.
 const HEATED_SHARE: u64 = 4;
 
 /// Starts a method; on a machine that avoids tipped pieces or minds heat, with the local search beside it. Published methods run alone.

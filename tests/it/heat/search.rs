@@ -1,6 +1,7 @@
 //! What the search finds where cuts heat each other.
 
 use super::{charged, heated, waiting};
+use crate::testkit::searches::{searched, slices_of_any_size_find_the_same};
 use crate::testkit::sheets::{Builder, Dice, circle, line, nested_sheet, p, rectangle};
 use kerfway::geometry::distance;
 use kerfway::job::problem_of;
@@ -8,17 +9,6 @@ use kerfway::machine::{Heat, Levers, Lift, Profile, Tips, air_time};
 use kerfway::plan::{self, Plan};
 use kerfway::problem::{Item, Node, Problem};
 use kerfway::sheet::Sheet;
-use kerfway::solve::{self, Solution};
-
-/// The best plan after some moves, checked.
-fn searched(sheet: &Sheet, machine: &Profile, moves: u64, seed: u64) -> (Solution, Plan) {
-    let problem = problem_of(sheet, machine);
-    let mut search = solve::start(solve::methods()[0], &problem, seed, None);
-    search.step(moves);
-    let plan = plan::from_solution(sheet, &problem, search.best());
-    assert_eq!(plan::check(sheet, machine, &plan), Ok(()));
-    (search.best().clone(), plan)
-}
 
 /// Every order and every choice of entries at nodes, with waits or charges as the definition says them.
 struct BruteForce<'p> {
@@ -194,17 +184,7 @@ fn an_order_that_knows_of_heat_is_shorter_than_waiting_afterwards() {
 fn slices_of_any_size_give_the_same_plan() {
     for heat in [waiting(20.0, 2.0), charged(20.0, 2.0, 0.5)] {
         let sheet = nested_sheet(30, 5);
-        let problem = problem_of(&sheet, &heated(heat));
-        let in_slices = |slice: u64| {
-            let mut search = solve::start(solve::methods()[0], &problem, 7, None);
-            for _ in 0..150_000 / slice {
-                search.step(slice);
-            }
-            search.best().clone()
-        };
-        let whole = in_slices(150_000);
-        assert_eq!(in_slices(1_000), whole);
-        assert_eq!(in_slices(30_000), whole);
+        slices_of_any_size_find_the_same(&problem_of(&sheet, &heated(heat)));
     }
 }
 

@@ -6,16 +6,13 @@
 
 use crate::testkit::joints::with_joints;
 use crate::testkit::leads::{leads, with_leads};
-use crate::testkit::replayed::{findings, nearest_next, nests};
-use crate::testkit::{files, fixtures, name};
+use crate::testkit::replayed::{findings, nearest_next, small_drawings};
 use kerfway::job::PlanOptions;
 use kerfway::machine::{JointKind, JointRule, LeadKind, preset};
 use std::collections::BTreeMap;
 
 /// Number of seeded nests.
 const NESTS: u64 = 20;
-/// Larger drawings would take Shapely minutes.
-const MOST_BYTES: usize = 200_000;
 
 #[derive(serde::Deserialize)]
 struct Held {
@@ -28,17 +25,6 @@ struct Held {
     /// Joints that a move leaves.
     joints: u32,
     faults: Vec<String>,
-}
-
-fn drawings() -> Vec<(String, Vec<u8>)> {
-    let mut all: Vec<_> = files(&fixtures().join("dxf-dev"), "dxf")
-        .iter()
-        .chain([&fixtures().join("sheets/sheet_100.dxf")])
-        .map(|p| (name(p), std::fs::read(p).unwrap()))
-        .filter(|(_, bytes)| bytes.len() < MOST_BYTES)
-        .collect();
-    all.extend(nests(NESTS));
-    all
 }
 
 /// The plan of a drawing by the nearest next entry, with and without joints on outlines and holes; every third has leads.
@@ -59,7 +45,7 @@ fn planned(k: usize, name: &str, bytes: Vec<u8>, joints: bool) -> Option<String>
 #[test]
 fn the_sheet_holds_every_part_with_joints_and_none_without() {
     let mut plans: BTreeMap<String, String> = BTreeMap::new();
-    for (k, (name, bytes)) in drawings().into_iter().enumerate() {
+    for (k, (name, bytes)) in small_drawings(NESTS).into_iter().enumerate() {
         for (suffix, joints) in [("with", true), ("without", false)] {
             let Some(plan) = planned(k, &name, bytes.clone(), joints) else { continue };
             plans.insert(format!("{name} {suffix}"), plan);

@@ -6,16 +6,13 @@
 
 use super::{all_tip, ignored, tipping};
 use crate::testkit::joints::with_joints;
-use crate::testkit::replayed::{findings, nearest_next, nests};
-use crate::testkit::{files, fixtures, name};
+use crate::testkit::replayed::{findings, nearest_next, small_drawings};
 use kerfway::job::{Job, LoadOptions, PlanOptions, problem_of};
 use kerfway::machine::{JointRule, Profile, Slats, Tips};
 use std::collections::BTreeMap;
 
 /// Number of seeded nests.
 const NESTS: u64 = 20;
-/// Larger drawings would take Shapely minutes.
-const MOST_BYTES: usize = 200_000;
 
 #[derive(serde::Deserialize)]
 struct Replayed {
@@ -29,17 +26,6 @@ struct Replayed {
     lifted: u32,
     way_points: u32,
     faults: Vec<String>,
-}
-
-fn drawings() -> Vec<(String, Vec<u8>)> {
-    let mut all: Vec<_> = files(&fixtures().join("dxf-dev"), "dxf")
-        .iter()
-        .chain([&fixtures().join("sheets/sheet_100.dxf")])
-        .map(|p| (name(p), std::fs::read(p).unwrap()))
-        .filter(|(_, bytes)| bytes.len() < MOST_BYTES)
-        .collect();
-    all.extend(nests(NESTS));
-    all
 }
 
 /// Lifts from 0.02 s to 3 s; slats unknown, along an axis or slanted; every fifth drawing has some micro-joints.
@@ -64,7 +50,7 @@ fn machine(k: usize, avoid: bool) -> Profile {
 #[test]
 fn plans_are_those_that_shapely_replayed() {
     let (mut plans, mut tips) = (BTreeMap::new(), BTreeMap::new());
-    for (k, (name, bytes)) in drawings().into_iter().enumerate() {
+    for (k, (name, bytes)) in small_drawings(NESTS).into_iter().enumerate() {
         for (suffix, avoid) in [("avoid", true), ("ignore", false)] {
             let (name, machine) = (format!("{name} {suffix}"), machine(k, avoid));
             let options = PlanOptions { allow_off_bed: true, ..PlanOptions::default() };

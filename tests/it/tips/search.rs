@@ -1,23 +1,13 @@
 //! What the search finds where moves avoid tipped pieces.
 
 use super::{all_tip, ignored, tipping};
+use crate::testkit::searches::{searched, slices_of_any_size_find_the_same};
 use crate::testkit::sheets::{Builder, Dice, circle, nested_sheet, p, rectangle};
 use kerfway::job::problem_of;
 use kerfway::machine::{Levers, Profile, Tips};
 use kerfway::plan::{self, Move, Plan, Way};
 use kerfway::problem::{Item, NodeId, Problem};
 use kerfway::sheet::{Pin, Sheet};
-use kerfway::solve::{self, Solution};
-
-/// The best plan after some moves, checked.
-fn searched(sheet: &Sheet, machine: &Profile, moves: u64, seed: u64) -> (Solution, Plan) {
-    let problem = problem_of(sheet, machine);
-    let mut search = solve::start(solve::methods()[0], &problem, seed, None);
-    search.step(moves);
-    let plan = plan::from_solution(sheet, &problem, search.best());
-    assert_eq!(plan::check(sheet, machine, &plan), Ok(()));
-    (search.best().clone(), plan)
-}
 
 /// The seconds of the best order and entries at nodes, over every order, with the entries of each order by dynamic programming.
 fn every_order(problem: &Problem) -> f64 {
@@ -149,17 +139,7 @@ fn avoiding_is_never_slower_than_lifting_always_and_never_faster_than_ignoring()
 #[test]
 fn slices_of_any_size_give_the_same_plan() {
     let sheet = nested_sheet(30, 5);
-    let problem = problem_of(&sheet, &tipping(0.3, all_tip()));
-    let in_slices = |slice: u64| {
-        let mut search = solve::start(solve::methods()[0], &problem, 7, None);
-        for _ in 0..150_000 / slice {
-            search.step(slice);
-        }
-        search.best().clone()
-    };
-    let whole = in_slices(150_000);
-    assert_eq!(in_slices(1_000), whole);
-    assert_eq!(in_slices(30_000), whole);
+    slices_of_any_size_find_the_same(&problem_of(&sheet, &tipping(0.3, all_tip())));
 }
 
 #[test]
