@@ -13,7 +13,7 @@ pub(super) fn findings(sheet: &Sheet, machine: &Profile, problem: &Problem) -> V
     }
     let outcomes = (0..).zip(&problem.items).filter_map(|(id, i)| Some((id, &i.leads.as_ref()?.outcome)));
     let mut all = lead::findings(outcomes);
-    let groups = sheet.cut_as_one(machine.makes_pre_cuts()).iter();
+    let groups = sheet.cut_as_one(machine.cuts_as_one()).iter();
     let as_one = groups.filter(|g| {
         g.contours.first().and_then(|&c| problem.items.get(c as usize)).is_some_and(Item::is_pierce_group)
     });

@@ -78,7 +78,7 @@ impl<'s> Planner<'s> {
             return None;
         }
         let mut grouped = vec![false; sheet.contours.len()];
-        for &id in sheet.cut_as_one(machine.makes_pre_cuts()).iter().flat_map(|g| &g.contours) {
+        for &id in sheet.cut_as_one(machine.cuts_as_one()).iter().flat_map(|g| &g.contours) {
             if let Some(grouped) = grouped.get_mut(id as usize) {
                 *grouped = true;
             }

@@ -41,6 +41,9 @@ pub struct Levers {
     /// Contours are joined by cuts through waste; `None`: the head pierces for each of them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub chains: Option<Chains>,
+    /// Contours that share cuts, such as outlines one kerf apart, are pierced once and cut together; `None`: each is pierced.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub common_cuts: Option<SharedCuts>,
     /// Pieces that may tip up under the head, and what is done about moves over them; `None`: nothing is known of them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tips: Option<Tips>,
@@ -100,6 +103,13 @@ fn chain_clearance() -> f64 {
     1.0
 }
 
+/// Common cuts: contours that share cuts are pierced once and cut together, stretch by stretch. Where the beam begins again
+/// on a kerf of theirs, it does not pierce.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct SharedCuts {}
+
 /// Lifting the head for moves with the beam off. It is lifted and lowered with the speed of the z axis
 /// ([`Profile::z_speed`](super::Profile::z_speed)).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -149,6 +159,7 @@ impl Levers {
         let not_in_core = [
             (self.fly.is_some(), "fly", "cuts on the run"),
             (self.chains.is_some(), "chains", "joins contours through waste"),
+            (self.common_cuts.is_some(), "common_cuts", "cuts what shares cuts together"),
             (self.tips.is_some(), "tips", "minds pieces that tip"),
             (self.heat.is_some(), "heat", "minds heat"),
         ];
@@ -162,6 +173,7 @@ impl Levers {
         Field::nullable("lift", Kind::Object(LIFT)),
         Field::nullable("fly", Kind::Object(FLY)),
         Field::nullable("chains", Kind::Object(CHAINS)),
+        Field::nullable("common_cuts", Kind::Object(SHARED)),
         Field::nullable("tips", Kind::Object(Tips::FIELDS)),
         Field::nullable("heat", Kind::Object(Heat::FIELDS)),
     ];
@@ -225,3 +237,5 @@ const CHAINS: &[Field] = &[
     Field::optional("clearance", Kind::Number(CHAIN_CLEARANCE)),
     Field::optional("edge_starts", Kind::Flag),
 ];
+
+const SHARED: &[Field] = &[];

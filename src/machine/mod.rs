@@ -33,7 +33,7 @@ pub(crate) use joints::JOINT_COUNT;
 pub use joints::{JointKind, JointRule, Joints, SizeTest};
 pub(crate) use leads::LEAD_KINDS;
 pub use leads::{LeadKind, LeadPosition, LeadRule, LeadShape, LeadSide, Leads};
-pub use levers::{Chains, Fly, Levers, Lift, MovingPierce, PLANS_ALL_LEVERS};
+pub use levers::{Chains, Fly, Levers, Lift, MovingPierce, PLANS_ALL_LEVERS, SharedCuts};
 pub use lookahead::{cut_time, process_time};
 pub use motion::{AirTime, air_time};
 pub use presets::{preset, presets};

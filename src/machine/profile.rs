@@ -3,7 +3,7 @@
 use super::dialect::DialectChoice;
 use super::joints::Joints;
 use super::leads::Leads;
-use super::levers::Levers;
+use super::levers::{Levers, PLANS_ALL_LEVERS};
 use super::process::Process;
 use super::settings::MaterialSetting;
 use super::sharp_corner::SharpCorner;
@@ -161,9 +161,15 @@ impl Profile {
         if mark { &self.mark } else { &self.cut }
     }
 
-    /// Whether pre-cuts have a cost. If so, contours that share cuts are cut as one, unless they take several passes.
+    /// Whether pre-cuts have a cost, and contours take one pass.
     pub fn makes_pre_cuts(&self) -> bool {
         self.pre_cut_time.is_some_and(|seconds| seconds > 0.0) && self.cut.passes == 1
+    }
+
+    /// Whether contours that share cuts are cut as one: on a machine that makes pre-cuts, or with `levers.common_cuts`.
+    pub fn cuts_as_one(&self) -> bool {
+        let lever = PLANS_ALL_LEVERS && self.levers.common_cuts.is_some() && self.cut.passes == 1;
+        self.makes_pre_cuts() || lever
     }
 
     /// The part of the rest of a contour that a pre-cut at its start covers: at most half of it.

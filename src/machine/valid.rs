@@ -53,6 +53,11 @@ pub enum ProfileError {
         "The machine has levers.chains and {0}. Chains are planned for machines that pierce each contour once, at rest, and turn corners with the beam on: give one of them."
     )]
     ChainsWith(&'static str),
+    /// Contours are to be cut together on a machine that does something in between for which they are not planned.
+    #[error(
+        "The machine has levers.common_cuts and {0}. Contours that are cut together are planned without it: give one of them."
+    )]
+    CommonCutsWith(&'static str),
     /// The head is to be lifted, and there is no speed for it.
     #[error(
         "The machine has levers.lift, but no z_speed. Give the speed of the z axis, or leave out the lift."
@@ -103,6 +108,9 @@ impl From<ProfileError> for FieldError {
             }
             ProfileError::ChainsWith(_) => {
                 Self::new(Fault::Contradiction, "levers.chains", error.to_string())
+            }
+            ProfileError::CommonCutsWith(_) => {
+                Self::new(Fault::Contradiction, "levers.common_cuts", error.to_string())
             }
             ProfileError::FlyPreCuts => Self::new(Fault::Contradiction, "levers.fly", error.to_string()),
             ProfileError::Dialect(sentence) => Self::new(Fault::Contradiction, "dialect", sentence),
@@ -279,6 +287,9 @@ impl Profile {
                     if let Some(other) = self.without_chains() {
                         return Err(ProfileError::ChainsWith(other));
                     }
+                    if let Some(other) = self.without_common_cuts() {
+                        return Err(ProfileError::CommonCutsWith(other));
+                    }
                     if self.levers.lift.is_some() && self.z_speed.is_none() {
                         return Err(ProfileError::LiftWithoutZ);
                     }
@@ -310,6 +321,17 @@ impl Profile {
             ("sharp_corner", self.sharp_corner.is_some()),
             ("levers.moving_pierce", self.levers.moving_pierce.is_some()),
             ("levers.tips.risky_moves \"avoid\"", self.levers.avoid_tips()),
+            ("levers.heat", self.levers.heat.is_some()),
+        ];
+        fields.into_iter().find(|f| f.1).map(|f| f.0)
+    }
+
+    /// The field that a machine with common cuts must not have.
+    fn without_common_cuts(&self) -> Option<&'static str> {
+        self.levers.common_cuts?;
+        let fields = [
+            ("pre_cut_time", self.pre_cut_time.is_some()),
+            ("levers.tips", self.levers.tips.is_some()),
             ("levers.heat", self.levers.heat.is_some()),
         ];
         fields.into_iter().find(|f| f.1).map(|f| f.0)

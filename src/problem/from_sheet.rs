@@ -29,7 +29,7 @@ use crate::sheet::{Contour, Operation, Sheet};
 /// * Fixed seconds: piercing (cuts only), beam delays, and the run along the contour from its cheapest entry. What other
 ///   entries cost beyond that is charged by place.
 /// * Leaving: closed cuts may be left unfinished if the machine allows it, but not when parts are cut one by one.
-/// * Pierce groups: if the machine makes pre-cuts, the item of the group's first contour stands for all of them, and its
+/// * Pierce groups: if the machine makes pre-cuts or has `levers.common_cuts`, the item of the group's first contour stands for all of them, and its
 ///   nodes are paths through the group. The items of the other contours have no nodes. A path may be left at its leave
 ///   points, but not when parts are cut one by one.
 /// * Passes: at once, they are one item whose seconds count for each pass; sheet by sheet, each is an item of its own, and

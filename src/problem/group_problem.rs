@@ -64,7 +64,7 @@ pub struct Element {
 /// The groups of a sheet as a solver of groups sees them: none for a machine that makes no pre-cuts, as it cuts every
 /// contour by itself.
 pub fn group_problems<'m>(sheet: &Sheet, machine: &'m Profile) -> GroupProblems<'m> {
-    let groups = sheet.cut_as_one(machine.makes_pre_cuts());
+    let groups = sheet.cut_as_one(machine.cuts_as_one());
     let worked = sheet.contours.iter().filter(|c| c.is_processed()).count();
     let beside = beside(sheet, machine, groups);
     GroupProblems {

@@ -3,6 +3,7 @@
 use super::beside::in_one_go;
 use super::ids::{ItemId, NodeId};
 use super::model::{Item, Node};
+use super::seconds::seconds_alone;
 use super::sub_path::SubPath;
 use crate::geometry::{Aabb, Segment, winding_number};
 use crate::machine::Profile;
@@ -22,17 +23,25 @@ pub(super) struct PierceGroups<'s> {
     area: Vec<Option<u32>>,
 }
 
+/// Whether cutting a group as one takes fewer seconds than cutting its contours one by one, each from its best entry and without
+/// moves between them. With pre-cuts it always does: plate is pierced for seconds.
+fn pays(sheet: &Sheet, machine: &Profile, group: &PierceGroup, paths: &[SubPath]) -> bool {
+    let contours = group.contours.iter().filter_map(|&c| sheet.contours.get(c as usize));
+    let alone: f64 = contours.map(|c| seconds_alone(sheet, machine, c)).sum();
+    machine.makes_pre_cuts() || paths.iter().any(|path| path.seconds < alone)
+}
+
 impl<'s> PierceGroups<'s> {
-    /// The groups that the machine can cut as one, which takes pre-cuts, and through which there is a path. `paths`: the
-    /// paths through each group.
+    /// The groups that the machine cuts as one, and through which there is a path. Without pre-cuts, they are cut as one where
+    /// that takes fewer seconds. `paths`: the paths through each group.
     pub(super) fn new(sheet: &'s Sheet, machine: &Profile, paths: &'s [Vec<SubPath>]) -> Self {
         let none = vec![None; sheet.contours.len()];
         let in_one_go = in_one_go(sheet, machine);
         let mut all =
             Self { sheet, in_one_go, groups: Vec::new(), of: none.clone(), within: none.clone(), area: none };
-        let groups = sheet.cut_as_one(machine.makes_pre_cuts());
+        let groups = sheet.cut_as_one(machine.cuts_as_one());
         for (group, paths) in groups.iter().zip(paths) {
-            if paths.is_empty() {
+            if paths.is_empty() || !pays(sheet, machine, group, paths) {
                 continue;
             }
             let index = u32::try_from(all.groups.len()).ok();

@@ -343,9 +343,9 @@ impl Sheet {
         order
     }
 
-    /// The groups that the machine cuts as one: all of them if it makes pre-cuts, otherwise none.
-    pub fn cut_as_one(&self, makes_pre_cuts: bool) -> &[PierceGroup] {
-        if makes_pre_cuts { self.pierce_groups() } else { &[] }
+    /// The groups that the machine cuts as one: all of them if it cuts any as one, otherwise none.
+    pub fn cut_as_one(&self, cuts_as_one: bool) -> &[PierceGroup] {
+        if cuts_as_one { self.pierce_groups() } else { &[] }
     }
 
     /// The name of a contour's layer; empty when the sheet does not know the contour.

@@ -15,7 +15,7 @@
 )]
 
 use crate::testkit::by_hand::{ByHand, CELL, air};
-use crate::testkit::plates::{job, rectangle, thick};
+use crate::testkit::plates::{job, rectangle, thick, together};
 use crate::testkit::rng::seeded;
 use kerfway::geometry::DVec2;
 use kerfway::job::problem_of;
@@ -162,6 +162,22 @@ fn with_corners_and_acceleration_it_is_the_least_of_all_too() {
             for home in [[0.0, 0.0], [55.0, 28.0], [300.0, -40.0]] {
                 agrees(&name, &outlines, &Profile { home, ..thick() });
             }
+        }
+    }
+}
+
+#[test]
+fn without_pre_cuts_the_order_is_the_least_of_all_that_begin_on_kerfs() {
+    let one_speed = |mut machine: Profile| {
+        machine.cut.accel = None;
+        machine
+    };
+    for (name, outlines) in small().into_iter().chain(random()) {
+        for home in [[0.0, 0.0], [55.0, 28.0]] {
+            agrees(&name, &outlines, &one_speed(Profile { home, ..together() }));
+        }
+        if job(&outlines, CommonCuts::Best, together(), None).sheet().groups[0].elements.len() <= 7 {
+            agrees(&name, &outlines, &together());
         }
     }
 }

@@ -79,7 +79,9 @@ impl<'m> ByHand<'m> {
             }
         }
         for start in 0..all.nodes.len() {
-            let done = Done { cut: 0, head: usize::MAX, visited: 0, ready: 0, seconds: 0.0, run: Vec::new() };
+            // Without pre-cuts, the beam begins again on any kerf of the group.
+            let ready = if machine.pre_cut_time.is_none() { usize::MAX } else { 0 };
+            let done = Done { cut: 0, head: usize::MAX, visited: 0, ready, seconds: 0.0, run: Vec::new() };
             all.go_on(start, &done);
         }
         all
@@ -201,7 +203,7 @@ impl<'m> ByHand<'m> {
     fn go_on(&mut self, start: usize, done: &Done) {
         let (may, loose) = self.stand(done.cut);
         let begin = self.machine.beam_on_delay + self.machine.beam_off_delay;
-        let pre_cut = self.machine.pre_cut_time.unwrap();
+        let pre_cut = self.machine.pre_cut_time.unwrap_or(0.0);
         if done.cut + 1 == 1 << self.elements.len() {
             let seconds = done.seconds + self.run(&done.run);
             let least = &mut self.least[start][done.head];

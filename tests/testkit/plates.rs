@@ -3,7 +3,7 @@
 use crate::testkit::outlines::drawing;
 use kerfway::geometry::DVec2;
 use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions, WarmPath};
-use kerfway::machine::{Profile, preset};
+use kerfway::machine::{Levers, Profile, SharedCuts, preset};
 use kerfway::sheet::CommonCuts;
 
 /// By its lower left corner, width and height.
@@ -32,6 +32,12 @@ pub(crate) fn pinwheel() -> Vec<Vec<DVec2>> {
 /// Thick plate: piercing 1 s, pre-cuts 0.3 s.
 pub(crate) fn thick() -> Profile {
     Profile { pre_cut_time: Some(0.3), pierce_time: 1.0, ..preset("fibre-6kw-thick").unwrap() }
+}
+
+/// The same without pre-cuts: what shares cuts is cut as one by `levers.common_cuts`.
+pub(crate) fn together() -> Profile {
+    let levers = Levers { common_cuts: Some(SharedCuts {}), ..Levers::default() };
+    Profile { pre_cut_time: None, levers, ..thick() }
 }
 
 /// A drawing with its search begun.

@@ -1,5 +1,5 @@
 //! Checks pierce groups: every shared cut is cut once, nothing is cut after it has fallen out, and pre-cuts are where they
-//! are needed.
+//! are needed. On a machine without pre-cuts, the beam begins again where a stretch of the group was cut before.
 //!
 //! The beam is followed from element to element. After every element, the areas that are still held are found again from
 //! the outside in: an area is held as long as a chain of uncut elements connects it to the area around the group. (The
@@ -10,6 +10,7 @@ use super::tolerance::{SAME, rounding};
 use super::violation::Violation;
 use crate::geometry::{DVec2, Path, Segment, winding_number};
 use crate::machine::Profile;
+use crate::plan::model::{Move, Plan};
 use crate::sheet::{PierceGroup, Sheet};
 
 /// The state of a group.
@@ -23,20 +24,47 @@ struct Work<'s> {
     free: Vec<Option<usize>>,
 }
 
+/// For each contour, whether it is cut in one go, with no other. A pause in a sharp corner does not interrupt it.
+fn cut_alone(sheet: &Sheet, plan: &Plan) -> Vec<bool> {
+    let mut starts = vec![0_u32; sheet.contours.len()];
+    let mut alone = vec![true; sheet.contours.len()];
+    let mut paused = false;
+    for step in &plan.moves {
+        if let Move::Cut { contour, with, .. } = step {
+            if let Some(starts) = starts.get_mut(*contour as usize).filter(|_| !paused) {
+                *starts += 1;
+            }
+            for &c in std::iter::once(contour).chain(with).filter(|_| !with.is_empty()) {
+                alone.get_mut(c as usize).into_iter().for_each(|alone| *alone = false);
+            }
+        }
+        paused = matches!(step, Move::Macro { .. });
+    }
+    alone.into_iter().zip(starts).map(|(alone, starts)| alone && starts == 1).collect()
+}
+
 /// The pierce groups of a sheet and their states.
 pub(super) struct Groups<'s> {
     sheet: &'s Sheet,
+    pre_cuts: bool,
     work: Vec<Work<'s>>,
     /// For each contour, its group.
     of: Vec<Option<usize>>,
 }
 
 impl<'s> Groups<'s> {
-    /// If the machine makes no pre-cuts there are no groups: every contour is cut by itself.
-    pub(super) fn new(sheet: &'s Sheet, machine: &Profile) -> Self {
+    /// Those that the plan cuts as one: all of them on a machine with pre-cuts, none on one that cuts every contour by itself, and
+    /// otherwise those of which some contour is not cut whole by itself.
+    pub(super) fn new(sheet: &'s Sheet, machine: &Profile, plan: &Plan) -> Self {
+        let pre_cuts = machine.makes_pre_cuts();
         let mut of = vec![None; sheet.contours.len()];
         let mut work = Vec::new();
-        for group in sheet.cut_as_one(machine.makes_pre_cuts()) {
+        let alone = if pre_cuts { Vec::new() } else { cut_alone(sheet, plan) };
+        let is_alone = |c: &u32| alone.get(*c as usize).is_some_and(|alone| *alone);
+        for group in sheet.cut_as_one(machine.cuts_as_one()) {
+            if group.contours.iter().all(is_alone) {
+                continue;
+            }
             for &c in &group.contours {
                 if let Some(of) = of.get_mut(c as usize) {
                     *of = Some(work.len());
@@ -50,7 +78,7 @@ impl<'s> Groups<'s> {
                 free: vec![None; group.faces as usize],
             });
         }
-        Self { sheet, work, of }
+        Self { sheet, pre_cuts, work, of }
     }
 
     /// Whether a contour is cut with its group.
@@ -81,7 +109,8 @@ impl<'s> Groups<'s> {
         fits
     }
 
-    /// Follows a cut. `ready` means that it was pierced, or continues where the beam just was.
+    /// Follows a cut. `ready`: it was pierced, or continues where the beam just was. Without pre-cuts, a move with the beam off between
+    /// two cuts is made to a kerf.
     pub(super) fn cut(
         &mut self,
         step: usize,
@@ -95,6 +124,7 @@ impl<'s> Groups<'s> {
         else {
             return;
         };
+        let pre_cuts = self.pre_cuts;
         let run = Path::new(path.to_vec(), false);
         let (length, mut gone, mut first) = (run.length(), 0.0, true);
         let mut named: Vec<u32> = Vec::new();
@@ -113,7 +143,8 @@ impl<'s> Groups<'s> {
                 named.push(own);
             }
             let pre_cut = |node: u32, work: &Work| work.ahead.contains(&(own, node));
-            if (first && !ready && !pre_cut(node, work)) || (work.is_loose(to) && !pre_cut(to, work)) {
+            let begins = first && !ready && !if pre_cuts { pre_cut(node, work) } else { work.is_on_kerf(node) };
+            if begins || (pre_cuts && work.is_loose(to) && !pre_cut(to, work)) {
                 found.push(Violation::NoPreCut { step, contour: own });
             }
             if !work.is_held(e) {
@@ -215,6 +246,15 @@ impl Work<'_> {
     /// Whether one of the areas beside an element is still held.
     fn is_held(&self, e: usize) -> bool {
         self.group.elements[e].faces.iter().any(|&f| self.free[f as usize].is_none())
+    }
+
+    /// Whether a stretch that ends at a node has been cut.
+    fn is_on_kerf(&self, node: u32) -> bool {
+        let place = self.group.nodes.get(node as usize);
+        let ends = |path: &Path| [path.start(), path.end()];
+        let cut = self.paths.iter().zip(&self.cut).filter(|(_, cut)| **cut);
+        let mut places = cut.flat_map(|(path, _)| ends(path)).flatten();
+        place.is_some_and(|node| places.any(|end| end.distance(*node) <= SAME))
     }
 
     /// Whether an area at a node has been cut free.

@@ -71,7 +71,7 @@ pub(super) fn check(
     if machine.leads.is_none() && sheet.choices.is_empty() && !any {
         return;
     }
-    let groups = Groups::new(sheet, machine);
+    let groups = Groups::new(sheet, machine, plan);
     let room = Room::new(sheet, machine);
     // Faults of pauses are reported elsewhere.
     for (step, m) in joints::whole(joined(&plan.moves, machine, &groups, &mut Vec::new())) {

@@ -47,7 +47,7 @@ use visits::Visits;
 pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Violation>> {
     let mut found = Vec::new();
     let mut visits = Visits::new(sheet, machine);
-    let mut groups = Groups::new(sheet, machine);
+    let mut groups = Groups::new(sheet, machine, plan);
     let mut flown = Flown::new(sheet, plan);
     follow(&mut visits, &mut groups, &mut flown, sheet, machine, plan, &mut found);
     pre_cuts(machine, plan, &mut found);

@@ -23,7 +23,7 @@ pub(super) fn check(
     if !plan.moves.contains(&Move::MovingStart) {
         return;
     }
-    let groups = Groups::new(sheet, machine);
+    let groups = Groups::new(sheet, machine, plan);
     for (step, pair) in plan.moves.windows(2).enumerate().filter(|(_, pair)| pair[0] == Move::MovingStart) {
         let mut fault = |what| found.push(Violation::Beam { step, what });
         // Those of cuts on the run are checked with them.

@@ -189,7 +189,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
 
 /// The path of a contour; where the machine cuts groups as one, its path in the group.
 fn path_of<'s>(sheet: &'s Sheet, machine: &Profile, contour: u32) -> Option<&'s Path> {
-    let joined = sheet.cut_as_one(machine.makes_pre_cuts()).iter().find_map(|g| g.path_of(contour));
+    let joined = sheet.cut_as_one(machine.cuts_as_one()).iter().find_map(|g| g.path_of(contour));
     joined.or_else(|| sheet.contours.get(contour as usize).map(|c| &c.path))
 }
 

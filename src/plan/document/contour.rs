@@ -113,7 +113,7 @@ fn side_by_side(sheet: &Sheet, moves: &[Move]) -> Vec<bool> {
 pub fn contours(sheet: &Sheet, machine: &Profile, moves: &[Move], shift: DVec2) -> Vec<Contour> {
     // Contours of a pierce group are cut stretch by stretch, in any order, and so are those that are cut side by side on the run.
     let mut in_group = side_by_side(sheet, moves);
-    for id in sheet.cut_as_one(machine.makes_pre_cuts()).iter().flat_map(|group| &group.contours) {
+    for id in sheet.cut_as_one(machine.cuts_as_one()).iter().flat_map(|group| &group.contours) {
         if let Some(known) = in_group.get_mut(*id as usize) {
             *known = true;
         }

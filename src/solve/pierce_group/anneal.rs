@@ -10,7 +10,7 @@ const WORK: u64 = 200_000;
 const LEAST_STEPS: u64 = 300;
 /// Most orders that are looked at, however short they are.
 const MOST_STEPS: u64 = 6000;
-/// Temperature at the start, in pre-cuts: the most that a move may cost.
+/// Temperature at the start: the most that a move may cost, in pre-cuts, or in trails where there are none.
 const TEMPERATURE: f64 = 1.0;
 
 /// The k-th uniform number of a seed, in [0, 1).
@@ -26,6 +26,7 @@ pub(super) fn annealed(net: &Net, order: Order) -> Order {
     let mut cost = net.cost(&order);
     let (mut best, mut now) = ((cost, order.clone()), order);
     let (mut state, mut held) = (State::new(net), net.held());
+    let scale = if net.starts_on_kerfs() { net.start() + net.average_way() } else { net.pre_cut() };
     let mut joints = Joints::default();
     joints.look(net, &now);
     for step in 0..steps {
@@ -36,7 +37,7 @@ pub(super) fn annealed(net: &Net, order: Order) -> Order {
             order[from..to].iter_mut().for_each(|s| *s ^= 1);
         };
         reverse(&mut now);
-        let temperature = TEMPERATURE * net.pre_cut() * (1.0 - step as f64 / steps as f64);
+        let temperature = TEMPERATURE * scale * (1.0 - step as f64 / steps as f64);
         let after = net.cost_within(&mut state, &now, cost + temperature * draw(3));
         if let Some(after) = after.filter(|_| net.is_possible_from(&mut held, &now)) {
             cost = after;

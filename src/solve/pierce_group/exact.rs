@@ -104,12 +104,12 @@ impl Table<'_> {
                 let there = seconds + self.ways[head as usize][from as usize] + net.start();
                 if visited >> from & 1 == 0 {
                     ways[0] = Some((there + net.machine.pierce_time, ready | 1 << from));
-                } else if ready >> from & 1 == 1 {
+                } else if net.starts_on_kerfs() || ready >> from & 1 == 1 {
                     ways[0] = Some((there + net.pre_cut(), ready));
                 }
             }
             for (mut seconds, ready) in ways.into_iter().flatten() {
-                if loose >> to & 1 == 1 {
+                if loose >> to & 1 == 1 && !net.starts_on_kerfs() {
                     if ready >> to & 1 == 0 {
                         continue;
                     }
@@ -122,7 +122,8 @@ impl Table<'_> {
 
     /// Keeps a label unless another dominates it, and drops the labels that it dominates.
     fn keep(&mut self, cut: usize, mut label: Label) {
-        label.ready &= self.left[cut].open;
+        // Nothing has to be ready where the beam begins on any kerf.
+        label.ready &= if self.net.starts_on_kerfs() { 0 } else { self.left[cut].open };
         let place = self.place(cut, label.last);
         let (labels, kept) = (&self.labels, &mut self.kept[place]);
         let dominates = |a: &Label, b: &Label| a.seconds <= b.seconds && b.ready & !a.ready == 0;

@@ -109,6 +109,9 @@ impl State {
             self.may_stop(from, net.stop(last, step));
         }
         let mut pre_cut = |node: u32| {
+            if net.starts_on_kerfs() {
+                return None;
+            }
             let stop = &mut self.stops[node as usize];
             seconds += net.pre_cut() + std::mem::replace(&mut stop.0, 0.0);
             Some(stop.1)

@@ -58,7 +58,7 @@ pub(super) fn sub_path(net: &Net, order: &[Step]) -> SubPath {
             close(&mut open, &mut strokes);
         }
         strokes.extend(pre_cuts(from));
-        if !begins && !loose {
+        if !begins && !loose && !net.starts_on_kerfs() {
             leave(from, strokes.len(), open.0.len(), net.pre_cut(), Some(pre_cut(net, step, true)));
         }
         let (span, path) = span(net, step);

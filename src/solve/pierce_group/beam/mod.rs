@@ -61,16 +61,14 @@ pub(super) struct Search<'n> {
 
 impl<'n> Search<'n> {
     pub(super) fn new(net: &'n Net<'n>) -> Self {
-        let ready = net.machine.pierce_time.min(net.pre_cut() + net.start());
-        // The air move before a trail counts as an average one; factors from 0.6 to 2 give grids of the same quality.
-        let count = net.nodes().count().max(1) as f64;
-        let air = net.nodes().map(|n| net.way(n, 0)).sum::<f64>() / count;
+        let stop = if net.starts_on_kerfs() { 0.0 } else { net.pre_cut() + net.start() };
+        let ready = net.machine.pierce_time.min(stop);
         let is_small = net.len() <= FEW;
         Self {
             net,
             places: Places::new(net),
             is_small,
-            trail: net.start() + ready + if is_small { 0.0 } else { air },
+            trail: net.start() + ready + if is_small { 0.0 } else { net.average_way() },
             pierced: net.machine.pierce_time - ready,
         }
     }

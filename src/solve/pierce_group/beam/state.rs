@@ -132,6 +132,9 @@ impl State {
 
     /// Seconds of a pre-cut at a node, and of the stop for it if none is charged yet.
     fn pre_cut(&mut self, net: &Net, node: u32) -> f64 {
+        if net.starts_on_kerfs() {
+            return 0.0;
+        }
         let stops = std::mem::replace(&mut self.stops[node as usize], true);
         net.pre_cut() + if stops { 0.0 } else { net.start() }
     }
