@@ -1,12 +1,12 @@
 // Seconds of whole jobs: what the search and each lever of docs/levers.md save against the nearest-next path with holes first on
 // the same preset without levers:
 //
-//     npm run bench -- whole-job [drawings|sheets|nests|plates|tips|heat]... [--moves N] [--preset NAME] [--only NAME] [--data FOLDER]
+//     npm run bench -- whole-job [drawings|sheets|nests|kerfed|plates|tips|heat]... [--moves N] [--preset NAME] [--only NAME] [--data FOLDER]
 //
 // `tips` is the table of docs/tips.md: what avoiding tipped pieces costs on the four sheets, against lifting the head for every move.
 // `heat` is that of docs/heat.md: what keeping cuts apart costs, against a path that was found without it and waits afterwards.
 // Drawings are those of tests/fixtures/dxf-dev, and of `FOLDER/dxf-dev` with `--data FOLDER`; sheets are those of benches/data;
-// nests are parts side by side, with a hole each; plates are perforated ones that benches/solve/grids.mjs draws. Budgets are in moves, so the figures do not depend on the
+// nests are parts side by side, with a hole each, and `kerfed` are nests one kerf of 0.3 mm apart on machines with that kerf; plates are perforated ones that benches/solve/grids.mjs draws. Budgets are in moves, so the figures do not depend on the
 // machine's load. Every plan is checked.
 
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -26,16 +26,22 @@ const NATIVE = join(HERE, 'target', 'release', 'whole_job');
 const CHAINS = { levers: { chains: { reach: 100 } } };
 /** The same, also from elsewhere on the kerf of the last contour. */
 const EDGES = { levers: { chains: { reach: 100, edge_starts: true } } };
+/** What shares cuts is pierced once. */
+const SHARED = { levers: { common_cuts: {} } };
+/** mm: what a fibre laser cuts in thick plate. */
+const KERF = 0.3;
+/** What all machines of a set have. */
+const MACHINES = { kerfed: { kerf_width: KERF } };
 /** What each lever sets, by machine. */
 const LEVERS = {
   // 1 mm sheet is through after some milliseconds: at this acceleration within half a millimetre.
-  'fibre-3kw-thin': { 'moving pierce': { levers: { moving_pierce: { overcut: 0.5 } } }, fly: { levers: { fly: { reach: 20, overcut: 0.5 } } }, chains: CHAINS, 'chains, edge starts': EDGES },
+  'fibre-3kw-thin': { 'moving pierce': { levers: { moving_pierce: { overcut: 0.5 } } }, fly: { levers: { fly: { reach: 20, overcut: 0.5 } } }, chains: CHAINS, 'chains, edge starts': EDGES, 'common cuts': SHARED },
   // Acrylic is cut at a speed at which the beam is through at once.
-  'co2-100w': { 'moving pierce': { levers: { moving_pierce: { overcut: 1 } } }, fly: { levers: { fly: { reach: 20, overcut: 1 } } }, chains: CHAINS, 'chains, edge starts': EDGES },
+  'co2-100w': { 'moving pierce': { levers: { moving_pierce: { overcut: 1 } } }, fly: { levers: { fly: { reach: 20, overcut: 1 } } }, chains: CHAINS, 'chains, edge starts': EDGES, 'common cuts': SHARED },
   // No piercing and no delays: nothing to save.
   'diode-hobby': {},
   // Plate is pierced at rest.
-  'fibre-6kw-thick': { chains: CHAINS, 'chains, edge starts': EDGES },
+  'fibre-6kw-thick': { chains: CHAINS, 'chains, edge starts': EDGES, 'common cuts': SHARED },
 };
 /** Levers that a machine has not together with the others: what begins moving is not pierced, so that chains have nothing to save. */
 const APART = { 'fibre-6kw-thick': ['chains'], 'fibre-3kw-thin': ['chains', 'chains, edge starts'], 'co2-100w': ['chains', 'chains, edge starts'] };
@@ -46,6 +52,7 @@ const SETS = {
   drawings: ({ data, only }) => drawings([join(ROOT, 'tests', 'fixtures', 'dxf-dev'), ...(data ? [join(data, 'dxf-dev')] : [])], only),
   sheets: ({ instances, only = '' }) => [100, 500, 2000].map((n) => `sheets/sheet_${n}.dxf`).filter((f) => f.includes(only)).map((f) => instances.file(f)),
   nests: ({ only = '' }) => [['rectangles', 10], ['discs', 10]].filter(([name, side]) => `${name}_${side * side}`.includes(only)).map(([name, side]) => nest(name, side)),
+  kerfed: ({ only = '' }) => [['rectangles', 4], ['rectangles', 10]].filter(([name, side]) => `${name}_${side * side}`.includes(only)).map(([name, side]) => nest(name, side, KERF)),
   plates: ({ only = '' }) => PLATES.filter(([name, side]) => `${name}_${side * side}`.includes(only)).map(([name, side]) => drawn(name, side)),
 };
 
@@ -69,17 +76,17 @@ export async function bench(args) {
     }
     const files = SETS[name](options);
     for (const preset of presets) whole(name, preset, files, moves);
-    if (name === 'plates' || name === 'nests') for (const file of files) rmSync(dirname(file), { recursive: true });
+    if (['plates', 'nests', 'kerfed'].includes(name)) for (const file of files) rmSync(dirname(file), { recursive: true });
   }
 }
 
-/** Parts side by side, 8 mm apart, each with a hole of 12 mm: rectangles of 60 x 40 mm, or discs of 50 mm. */
-function nest(name, side) {
+/** Parts side by side, `gap` mm apart, each with a hole of 12 mm: rectangles of 60 x 40 mm, or discs of 50 mm. */
+function nest(name, side, gap = 8) {
   const [width, height] = name === 'discs' ? [50, 50] : [60, 40];
   const round = (x, y, radius) => ['0', 'CIRCLE', '8', 'CUT', '10', x, '20', y, '40', radius];
   const entities = [];
   for (let k = 0; k < side * side; k += 1) {
-    const [x, y] = [10 + (width + 8) * (k % side), 10 + (height + 8) * Math.floor(k / side)];
+    const [x, y] = [10 + (width + gap) * (k % side), 10 + (height + gap) * Math.floor(k / side)];
     const corners = [[0, 0], [width, 0], [width, height], [0, height]].map(([dx, dy]) => [x + dx, y + dy, 0]);
     entities.push(...(name === 'discs' ? round(x + 25, y + 25, 25) : polyline(corners)), ...round(x + width / 2, y + height / 2, 6));
   }
@@ -95,7 +102,7 @@ function whole(set, preset, files, moves) {
   const together = names.filter((name) => !(APART[preset] ?? []).includes(name));
   const all = { levers: Object.assign({}, ...together.map((name) => levers[name].levers)) };
   const variants = [['search', {}], ...names.map((name) => [name, levers[name]]), ...(together.length > 1 ? [[together.length < names.length ? together.join(' and ') : 'all', all]] : [])];
-  const machines = JSON.stringify(variants.map(([, changes]) => ({ preset, set: changes })));
+  const machines = JSON.stringify(variants.map(([, changes]) => ({ preset, base: MACHINES[set], set: changes })));
   const saved = variants.map(() => []);
   const lines = [];
   for (const file of files) {

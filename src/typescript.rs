@@ -106,6 +106,7 @@ fn generated() -> String {
         machine::Levers,
         machine::Fly,
         machine::Chains,
+        machine::SharedCuts,
         machine::Lift,
         machine::MovingPierce,
         machine::RiskyMoves,

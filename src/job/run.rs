@@ -93,6 +93,10 @@ impl Run {
             let sentence = "Methods of papers do not join contours through waste. Leave out \"levers.chains\", or choose the method tour-tree.";
             return Err(JobError::Conflict { field: "method", sentence });
         }
+        if method.is_published() && machine.levers.common_cuts.is_some() {
+            let sentence = "Methods of papers do not begin again on kerfs. Leave out \"levers.common_cuts\", or choose the method tour-tree.";
+            return Err(JobError::Conflict { field: "method", sentence });
+        }
         let problem = problem_of(sheet, &machine);
         let summary = |s: &Solution| plan::from_solution(sheet, &problem, s).summary;
         let mut findings = common_cuts::findings(sheet, &problem);

@@ -131,6 +131,7 @@ fn any_value_is_accepted_or_refused_in_a_sentence() {
                     | ProfileError::MovingPreCuts
                     | ProfileError::FlyPreCuts
                     | ProfileError::ChainsWith(_)
+                    | ProfileError::CommonCutsWith(_)
                     | ProfileError::LiftWithoutZ
                     | ProfileError::TipsWithoutLift
                     | ProfileError::TipsWithPreCuts

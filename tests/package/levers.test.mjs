@@ -175,6 +175,52 @@ describe('chains', () => {
   });
 });
 
+describe('common cuts', () => {
+  // Four parts one kerf of 0.4 mm apart, two by two.
+  const nest = dxf(...[[0, 0], [20.4, 0], [0, 20.4], [20.4, 20.4]].map(([x, y]) => square(10 + x, 10 + y, 20)));
+
+  it('pierce parts one kerf apart once, in the plan, the program and the path', async (t) => {
+    const planner = await createPlanner();
+    t.after(() => planner.close());
+    const thick = { ...planner.machines.find((m) => m.name === 'fibre-6kw-thick'), kerf_width: 0.4 };
+    let document;
+    const planned = async (machine) => {
+      await planner.load(nest, 'nest.dxf');
+      const { progress } = await planner.plan({ machine, seed: 1, moves: 20_000 }).done;
+      document = JSON.parse(await planner.output('json'));
+      return { ...document, path: progress.path, check: await planner.check(), quote: await planner.quote() };
+    };
+    const machine = { ...thick, levers: { common_cuts: {} } };
+    const [apart, joined] = [await planned(thick), await planned(machine)];
+    assert.deepEqual([apart.summary.pierces, joined.summary.pierces], [4, 1]);
+    // Three lines of 40.8 mm in each direction.
+    for (const { summary } of [apart, joined]) assert.ok(Math.abs(summary.cut_length - 6 * 40.8) < 1e-6, `${summary.cut_length}`);
+    assert.ok(apart.summary.total_time - joined.summary.total_time > 2.5);
+    assert.ok(validate(document), JSON.stringify(validate.errors));
+    assert.deepEqual([joined.check.passed, joined.check.problems], [true, []]);
+    const { times } = joined.path;
+    for (let k = 1; k < times.length; k += 1) assert.ok(times[k] >= times[k - 1], `${k}: ${times[k - 1]} ${times[k]}`);
+    const parts = joined.quote.parts.flatMap((part) => part.items).reduce((sum, item) => sum + item.times.total, 0);
+    assert.ok(Math.abs(parts - joined.summary.total_time) < 1e-6, `${parts}`);
+    assert.deepEqual(withoutLever(machine, 'common-cuts').levers, {});
+    await assert.rejects(planner.plan({ machine: { ...machine, pre_cut_time: 0.5 } }).done, /levers\.common_cuts and pre_cut_time/);
+  });
+
+  it('are an option of the command line', async (t) => {
+    const at = folder(t);
+    const [file, shop, json] = [join(at, 'nest.dxf'), join(at, 'shop.json'), join(at, 'nest.json')];
+    writeFileSync(file, nest);
+    const planner = await createPlanner();
+    t.after(() => planner.close());
+    writeFileSync(shop, JSON.stringify({ ...planner.machines.find((m) => m.name === 'fibre-6kw-thick'), kerf_width: 0.4 }));
+    const ran = await kerfway('plan', file, '--machine', shop, '--moves', '5000', '--seed', '1', '--shared-cuts', '--savings', '--json', json);
+    assert.equal(ran.code, 0, ran.stderr);
+    assert.match(ran.stdout + ran.stderr, /common-cuts saves/);
+    const { machine, summary } = JSON.parse(readFileSync(json, 'utf8'));
+    assert.deepEqual([machine.levers, summary.pierces], [{ common_cuts: {} }, 1]);
+  });
+});
+
 describe('lifting the head', () => {
   let planner, thin;
   before(async () => {
@@ -235,7 +281,7 @@ describe('what each lever saves', () => {
     const all = await total(machine);
     const saved = [];
     for await (const one of leverSavings(planner, { machine, seed: 1, moves: 20_000 }, all)) saved.push(one);
-    assert.deepEqual(saved.map((s) => s.lever), LEVERS.filter((lever) => lever !== 'avoid-tips' && lever !== 'heat' && lever !== 'chains' && lever !== 'edge-starts'));
+    assert.deepEqual(saved.map((s) => s.lever), LEVERS.filter((lever) => lever !== 'avoid-tips' && lever !== 'heat' && lever !== 'chains' && lever !== 'edge-starts' && lever !== 'common-cuts'));
     for (const { lever, seconds } of saved) assert.equal(seconds, (await total(withoutLever(machine, lever))) - all, lever);
     const by = Object.fromEntries(saved.map((s) => [s.lever, s.seconds]));
     // Two holes more begin at rest, and so does nothing else: the outline has joints, and the line is open.

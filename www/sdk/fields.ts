@@ -1182,6 +1182,14 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
                     },
                     {
                       "kind": {
+                        "object": []
+                      },
+                      "name": "common_cuts",
+                      "nullable": true,
+                      "required": false
+                    },
+                    {
+                      "kind": {
                         "object": [
                           {
                             "kind": {

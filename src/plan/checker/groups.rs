@@ -143,7 +143,8 @@ impl<'s> Groups<'s> {
                 named.push(own);
             }
             let pre_cut = |node: u32, work: &Work| work.ahead.contains(&(own, node));
-            let begins = first && !ready && !if pre_cuts { pre_cut(node, work) } else { work.is_on_kerf(node) };
+            let begins =
+                first && !ready && !if pre_cuts { pre_cut(node, work) } else { work.is_on_kerf(node) };
             if begins || (pre_cuts && work.is_loose(to) && !pre_cut(to, work)) {
                 found.push(Violation::NoPreCut { step, contour: own });
             }

@@ -19,3 +19,4 @@ mod made;
 mod of_all_kinds;
 mod one_kerf_apart;
 mod outlines_alone;
+mod together;

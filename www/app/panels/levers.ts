@@ -75,6 +75,11 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
   const clearance = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => chained({ clearance: value }));
   const edges = check(w.edgeStarts, (on) => chained({ edge_starts: on }));
   const joined = h('div', { class: 'stack' }, field(w.chainReach, chainReach.input, 'mm'), field(w.chainClearance, clearance.input, 'mm'), edges.root, h('p', { class: 'soft' }, w.aboutChains));
+  const shared = check(w.shared, (on) => set((l) => {
+    if (on) l.common_cuts = {};
+    else delete l.common_cuts;
+  }));
+  const aboutShared = h('p', { class: 'soft' }, w.aboutShared);
   const tips = tipsPanel((change) => set((l, m) => {
     if (!change) {
       delete l.tips;
@@ -92,7 +97,7 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
     else change((l.heat = { ...HEAT, ...l.heat }));
   }));
   return {
-    root: h('div', { class: 'stack' }, moving.root, more, fly.root, run, chains.root, joined, lift.root, about, tips.root, heat.root),
+    root: h('div', { class: 'stack' }, moving.root, more, fly.root, run, chains.root, joined, shared.root, aboutShared, lift.root, about, tips.root, heat.root),
     show(machine) {
       const { levers, pre_cut_time, sharp_corner, z_speed } = machine;
       tips.show(machine);
@@ -117,6 +122,10 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
       chainReach.show(levers?.chains?.reach ?? CHAINS.reach);
       clearance.show(levers?.chains?.clearance ?? CHAINS.clearance);
       edges.input.checked = levers?.chains?.edge_starts === true;
+      shared.input.checked = Boolean(levers?.common_cuts);
+      // What is left unfinished for others, may tip or has to cool is not planned with them.
+      shared.input.disabled = !levers?.common_cuts && (typeof pre_cut_time === 'number' || levers?.tips != null || levers?.heat != null);
+      aboutShared.hidden = !levers?.common_cuts;
       lift.input.checked = Boolean(lifting);
       about.hidden = !lifting;
       height.show(lifting?.height ?? LIFT.height);

@@ -41,6 +41,7 @@ export function tipsPanel(set: (change: ((tips: Tips) => void) | null) => void):
     show({ levers, pre_cut_time }) {
       const tips = levers?.tips;
       on.input.checked = Boolean(tips);
+      on.input.disabled = !tips && levers?.common_cuts != null;
       more.hidden = !tips;
       // A machine that leaves contours unfinished cannot avoid them.
       wanted.hidden = typeof pre_cut_time === 'number';

@@ -48,13 +48,13 @@ export class Alternatives {
     yield save('order', baselines.greedy);
     // The same order, with every closed contour entered where its line begins. Leads, stretches, cuts on the run and chains have places of their own.
     const whole = path.along.every((along, k) => along === path.until[k]);
-    if (whole && path.leads.length === 0 && !progress.summary.fly_cuts && !progress.summary.chains) {
+    if (whole && path.leads.length === 0 && !progress.summary.fly_cuts && !progress.summary.chains && machine.levers?.common_cuts == null) {
       const { contours, reversed } = path;
       const zero = new Float64Array(contours.length);
       yield save('entry', (await this.planned({}, { moves: 0, warm: { contours, reversed, along: zero, until: zero } })).progress.summary);
     }
     const search: PlanOptions = { seconds: searched };
-    if ((state.common?.offsets.length ?? 0) > 1 && state.load.commonCuts !== 'off') yield save('common', (await this.planned({ commonCuts: 'off' }, search)).progress.summary);
+    if ((state.common?.offsets.length ?? 0) > 1 && state.load.commonCuts !== 'off' && machine.levers?.common_cuts == null) yield save('common', (await this.planned({ commonCuts: 'off' }, search)).progress.summary);
     if (typeof machine.pre_cut_time === 'number' && (path.preCuts.length > 0 || !whole)) yield save('partial', (await this.planned({}, { ...search, machine: { ...machine, pre_cut_time: null } })).progress.summary);
     for (const lever of LEVERS) {
       const without = withoutLever(machine, lever);

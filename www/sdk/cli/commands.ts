@@ -123,6 +123,7 @@ const LEVERS: Options = {
   chains: { value: 'MM', about: 'join contours by cuts through waste of at most this length, where that is quicker than piercing' },
   'chain-clearance': { value: 'MM', about: 'with --chains: least distance of these cuts from other contours (default 1)' },
   'edge-starts': { about: 'with --chains: begin cuts through waste on the kerf of the last contour, too, without piercing' },
+  'shared-cuts': { about: 'cut contours that share cuts, such as parts one kerf apart, together: pierced once, on any machine' },
   savings: { about: 'say what each lever of the machine saves: plan again without it, as long as before' },
   'z-speed': { value: 'MM/S', about: "speed of lifting and lowering, instead of the machine's" },
   tips: { value: RISKY_MOVES.join('|'), about: 'moves over pieces that may have tipped: go around or over them with the head lifted (needs --lift), or report them', choices: RISKY_MOVES },

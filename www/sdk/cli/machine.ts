@@ -81,10 +81,11 @@ function sizes(values: Words['values'], name: string): [number, number] | undefi
 function withLevers(values: Words['values'], machine: MachineProfile): MachineProfile {
   const [overcut, height, down, speed, reach, again, chain, clearance] = ['moving-pierce', 'lift', 'stay-down', 'z-speed', 'fly', 'fly-overcut', 'chains', 'chain-clearance'].map((option) => number(values, option));
   const atRest = values['lift-at-rest'] === true, tips = tipsOf(values, machine), heat = heatOf(values, machine);
-  if ([overcut, height, down, speed, reach, again, chain, clearance, tips, heat].every((value) => value === undefined) && !atRest && values['edge-starts'] !== true) return machine;
+  if ([overcut, height, down, speed, reach, again, chain, clearance, tips, heat].every((value) => value === undefined) && !atRest && values['edge-starts'] !== true && values['shared-cuts'] !== true) return machine;
   const levers = { ...machine.levers };
   if (tips !== undefined) levers.tips = tips;
   if (heat !== undefined) levers.heat = heat;
+  if (values['shared-cuts'] === true) levers.common_cuts = {};
   if (overcut !== undefined) levers.moving_pierce = { overcut };
   // Without a reach, the overcut changes that of the machine's own fly cuts.
   const flown = reach === undefined ? levers.fly : { reach };

@@ -269,6 +269,8 @@ export interface Levers {
   fly?: Fly,
   /** Contours are joined by cuts through waste; `null`: the head pierces for each of them. */
   chains?: Chains,
+  /** Contours that share cuts, such as outlines one kerf apart, are pierced once and cut together; `null`: each is pierced. */
+  common_cuts?: SharedCuts,
   /** Pieces that may tip up under the head, and what is done about moves over them; `null`: nothing is known of them. */
   tips?: Tips,
   /** Cuts near each other follow each other no sooner than stated, or at a charge; `null`: heat does not matter. */
@@ -304,6 +306,12 @@ export interface Chains {
    */
   edge_starts?: boolean,
 }
+
+/**
+ * Common cuts: contours that share cuts are pierced once and cut together, stretch by stretch. Where the beam begins again
+ * on a kerf of theirs, it does not pierce.
+ */
+export type SharedCuts = Record<symbol, never>;
 
 /**
  * Lifting the head for moves with the beam off. It is lifted and lowered with the speed of the z axis

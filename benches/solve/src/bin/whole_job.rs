@@ -1,11 +1,11 @@
 //! Seconds of whole jobs, natively: `kerfway-bench-whole-job FILE --machines JSON [--moves N] [--seed S]`.
 //!
-//! `--machines` is a list of `{"preset": NAME, "set": {...}}`: the fields that `set` gives replace those of the preset. For
-//! each, a JSON line: the seconds of the nearest-next path with holes first on the preset as it is, and those of the best
+//! `--machines` is a list of `{"preset": NAME, "base": {...}, "set": {...}}`: the fields that `base` gives replace those of the preset,
+//! and the fields that `set` gives replace those. For each, a JSON line: the seconds of the nearest-next path with holes first on the machine of `base`, and those of the best
 //! path that the search finds on the changed machine. With `"then": {...}`, the path is searched for on the machine of `set`
 //! and then run as it is on that of `then`. Every plan is checked.
 
-use kerfway::job::{Job, LoadOptions, problem_of};
+use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions, problem_of};
 use kerfway::machine::{self, Profile};
 use kerfway::plan::{self, Plan};
 use kerfway::solve::{self, Status};
@@ -44,6 +44,7 @@ fn run() -> Result<(), String> {
 fn row(drawing: Drawing, wanted: &Value, moves: u64, seed: u64) -> Result<Value, String> {
     let name = wanted["preset"].as_str().unwrap_or_default();
     let preset = machine::preset(name).ok_or(format!("There is no machine {name}."))?;
+    let preset = changed(&preset, &wanted["base"])?;
     let machine = changed(&preset, &wanted["set"])?;
     let then = if wanted["then"].is_null() { machine.clone() } else { changed(&preset, &wanted["then"])? };
     let nearest = planned(drawing, [&preset; 2], 0, seed)?;
@@ -67,8 +68,14 @@ fn changed(preset: &Profile, set: &Value) -> Result<Profile, String> {
 
 /// The plan after some moves of the search, checked; without moves, the nearest-next path.
 fn planned((_, bytes): Drawing, [machine, then]: [&Profile; 2], moves: u64, seed: u64) -> Result<Plan, String> {
-    let job = Job::load(bytes.to_vec(), "sheet", &LoadOptions::default()).map_err(|e| e.to_string())?;
-    let sheet = job.sheet();
+    let mut job = Job::load(bytes.to_vec(), "sheet", &LoadOptions::default()).map_err(|e| e.to_string())?;
+    if machine.kerf_width > 0.0 {
+        // The lines of the beam.
+        let chosen = MachineChoice::Profile(Box::new(machine.clone()));
+        let options = PlanOptions { machine: chosen, allow_off_bed: true, ..PlanOptions::default() };
+        job.start(&options).map_err(|e| e.to_string())?;
+    }
+    let sheet = job.beam_sheet();
     let problem = problem_of(sheet, machine);
     let method = solve::method("tour-tree").ok_or("There is no method tour-tree.")?;
     let mut search = solve::start(method, &problem, seed, None);

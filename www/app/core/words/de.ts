@@ -336,6 +336,7 @@ export const de: Words = {
     aboutFly: 'Der Kopf hält zwischen Löchern einer Reihe und an den Seiten eines Rasters nicht an: der Strahl geht während der Fahrt an und aus. Für Blech, das sofort durchgeschnitten ist, und Steuerungen, die den Strahl in Bewegung schalten. Was Anfahrten oder Mikrostege hat, wird einzeln geschnitten.',
     chains: 'Konturen durch den Abfall verbinden', chainReach: 'Längster Schnitt durch den Abfall', chainClearance: 'Abstand von anderen Konturen',
     edgeStarts: 'Auch im Schnitt der letzten Kontur beginnen',
+    shared: 'Gemeinsame Seiten zusammen schneiden', aboutShared: 'Für Teile mit einem Schnittspalt Abstand: einmal eingestochen und als eines geschnitten. Wo der Strahl in ihren Schnitten neu beginnt, sticht er nicht ein.',
     aboutChains: 'Vom Ende einer Kontur schneidet der Strahl gerade durch den Abfall zur nächsten, wo das schneller ist als ausschalten, fahren und einstechen. Am meisten gewinnen Teile, die Ecke an Ecke liegen.',
     aboutLift: 'Für Teile, die sich aufstellen können. Der Kopf hebt und senkt sich auf dem Weg, wenn Sie das nicht abschalten. Die Höhen stehen im G-Code; andere Steuerungen heben selbst.',
     about: 'Für Markierungen und für Blech, das so dünn ist, dass der Strahl sofort durch ist: er geht an, während der Kopf losfährt, ohne Wartezeit. Offene Schnitte und Schnitte in mehreren Durchgängen beginnen weiter im Stillstand.',
@@ -397,7 +398,7 @@ export const de: Words = {
 
   savings: {
     title: 'Was spart was', about: 'Jede Entscheidung wird einmal weggelassen und der Rest neu geplant.', ask: 'Ausrechnen', working: 'Rechnet…',
-    decisions: { order: 'Reihenfolge, statt nächste zuerst', entry: 'Einstiche, statt wo Linien beginnen', common: 'Gemeinsame Seiten einmal schneiden', partial: 'Konturen unfertig lassen', leads: 'Anfahrten', 'moving-pierce': 'Schnitte in Bewegung beginnen', fly: 'Schneiden im Flug', chains: 'Schnitte durch den Abfall zwischen Konturen', 'edge-starts': 'Starts in einem Schnitt', 'lift-on-the-way': 'Kopf auf dem Weg heben', 'stay-down': 'Unten bleiben auf kurzen Wegen', 'avoid-tips': 'Gekippten Teilen ausweichen, statt immer zu heben', heat: 'Schnitte abkühlen lassen', 'flying-joints': 'Mikrostege ohne Halt' },
+    decisions: { order: 'Reihenfolge, statt nächste zuerst', entry: 'Einstiche, statt wo Linien beginnen', common: 'Gemeinsame Seiten einmal schneiden', partial: 'Konturen unfertig lassen', leads: 'Anfahrten', 'moving-pierce': 'Schnitte in Bewegung beginnen', fly: 'Schneiden im Flug', chains: 'Schnitte durch den Abfall zwischen Konturen', 'edge-starts': 'Starts in einem Schnitt', 'common-cuts': 'Gemeinsame Seiten zusammen schneiden', 'lift-on-the-way': 'Kopf auf dem Weg heben', 'stay-down': 'Unten bleiben auf kurzen Wegen', 'avoid-tips': 'Gekippten Teilen ausweichen, statt immer zu heben', heat: 'Schnitte abkühlen lassen', 'flying-joints': 'Mikrostege ohne Halt' },
     saves: (time) => `spart ${time}`, costs: (time) => `kostet ${time}`, done: (s) => `Pläne ohne eine Entscheidung wurden je bis zu ${s} s gesucht.`,
   },
 

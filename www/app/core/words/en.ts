@@ -285,6 +285,7 @@ export const en = {
     aboutFly: 'The head does not stop between holes in a row, or along the sides of a grid: the beam goes on and off as it runs. For sheet that is cut through at once, and controllers that switch the beam in motion. What has leads or micro-joints is cut one by one.',
     chains: 'Join contours through waste', chainReach: 'Longest cut through waste', chainClearance: 'Distance from other contours',
     edgeStarts: 'Begin on the kerf of the last contour, too',
+    shared: 'Cut shared sides together', aboutShared: 'For parts one kerf apart: pierced once and cut as one. Where the beam begins again on their kerfs, it does not pierce.',
     aboutChains: 'From the end of a contour the beam cuts straight through the waste to the next one, where that is quicker than switching off, moving and piercing. Parts that stand corner to corner gain the most.',
     aboutLift: 'For parts that may tip up. The head rises and sinks on its way, unless you switch that off. G-code has the heights; other controllers lift by themselves.',
     about: 'For marks, and for sheet so thin that the beam is through at once: it goes on as the head starts, without a wait. Open cuts and cuts in several passes still begin at rest.',
@@ -346,7 +347,7 @@ export const en = {
 
   savings: {
     title: 'What saves what', about: 'Each decision is left out once, and the rest is planned again.', ask: 'Work it out', working: 'Working…',
-    decisions: { order: 'Order, instead of nearest first', entry: 'Entries, instead of where lines begin', common: 'Cutting shared sides once', partial: 'Leaving contours unfinished', leads: 'Leads', 'moving-pierce': 'Beginning cuts moving', fly: 'Cuts on the run', chains: 'Cuts through waste between contours', 'edge-starts': 'Starts on a kerf', 'lift-on-the-way': 'Lifting the head on the way', 'stay-down': 'Staying down on short moves', 'avoid-tips': 'Avoiding pieces that tip, instead of always lifting', heat: 'Letting cuts cool', 'flying-joints': 'Joints without a stop' } satisfies Record<Decision, string>,
+    decisions: { order: 'Order, instead of nearest first', entry: 'Entries, instead of where lines begin', common: 'Cutting shared sides once', partial: 'Leaving contours unfinished', leads: 'Leads', 'moving-pierce': 'Beginning cuts moving', fly: 'Cuts on the run', chains: 'Cuts through waste between contours', 'edge-starts': 'Starts on a kerf', 'common-cuts': 'Cutting shared sides together', 'lift-on-the-way': 'Lifting the head on the way', 'stay-down': 'Staying down on short moves', 'avoid-tips': 'Avoiding pieces that tip, instead of always lifting', heat: 'Letting cuts cool', 'flying-joints': 'Joints without a stop' } satisfies Record<Decision, string>,
     saves: (time: string) => `saves ${time}`, costs: (time: string) => `costs ${time}`, done: (s: number) => `Plans without a decision were searched for up to ${s} s each.`,
   },
 

@@ -336,6 +336,7 @@ export const es: Words = {
     aboutFly: 'El cabezal no se detiene entre los agujeros de una fila ni a lo largo de los lados de una cuadrícula: el haz se enciende y se apaga en marcha. Para chapa que se atraviesa al instante y controladores que conmutan el haz en movimiento. Lo que tiene entradas o microuniones se corta de uno en uno.',
     chains: 'Unir contornos por el material sobrante', chainReach: 'Corte más largo por el sobrante', chainClearance: 'Distancia a otros contornos',
     edgeStarts: 'Empezar también en el corte del último contorno',
+    shared: 'Cortar juntos los lados comunes', aboutShared: 'Para piezas a un ancho de corte de distancia: se perforan una vez y se cortan como una. Donde el haz vuelve a empezar en sus cortes, no perfora.',
     aboutChains: 'Desde el final de un contorno el haz corta en línea recta por el material sobrante hasta el siguiente, donde eso es más rápido que apagar, desplazarse y perforar. Ganan más las piezas que están esquina con esquina.',
     aboutLift: 'Para piezas que pueden levantarse. El cabezal sube y baja por el camino, si no lo desactiva. Las alturas están en el G-code; otros controladores levantan por sí mismos.',
     about: 'Para marcas y para chapa tan fina que el haz la atraviesa al instante: se enciende cuando el cabezal arranca, sin espera. Los cortes abiertos y los de varias pasadas siguen empezando en reposo.',
@@ -397,7 +398,7 @@ export const es: Words = {
 
   savings: {
     title: 'Qué ahorra qué', about: 'Cada decisión se quita una vez y el resto se planifica de nuevo.', ask: 'Calcularlo', working: 'Calculando…',
-    decisions: { order: 'Orden, en vez del más cercano primero', entry: 'Perforaciones, en vez de donde empiezan las líneas', common: 'Cortar una vez los lados comunes', partial: 'Dejar contornos sin acabar', leads: 'Entradas', 'moving-pierce': 'Empezar los cortes en movimiento', fly: 'Cortes al vuelo', chains: 'Cortes por el sobrante entre contornos', 'edge-starts': 'Inicios en un corte', 'lift-on-the-way': 'Levantar el cabezal por el camino', 'stay-down': 'Quedarse abajo en trayectos cortos', 'avoid-tips': 'Evitar piezas que se levantan, en vez de levantar siempre', heat: 'Dejar enfriar los cortes', 'flying-joints': 'Microuniones sin parada' },
+    decisions: { order: 'Orden, en vez del más cercano primero', entry: 'Perforaciones, en vez de donde empiezan las líneas', common: 'Cortar una vez los lados comunes', partial: 'Dejar contornos sin acabar', leads: 'Entradas', 'moving-pierce': 'Empezar los cortes en movimiento', fly: 'Cortes al vuelo', chains: 'Cortes por el sobrante entre contornos', 'edge-starts': 'Inicios en un corte', 'common-cuts': 'Cortar juntos los lados comunes', 'lift-on-the-way': 'Levantar el cabezal por el camino', 'stay-down': 'Quedarse abajo en trayectos cortos', 'avoid-tips': 'Evitar piezas que se levantan, en vez de levantar siempre', heat: 'Dejar enfriar los cortes', 'flying-joints': 'Microuniones sin parada' },
     saves: (time) => `ahorra ${time}`, costs: (time) => `cuesta ${time}`, done: (s) => `Los planes sin una decisión se buscaron hasta ${s} s cada uno.`,
   },
 

@@ -333,6 +333,7 @@ export const zh: Words = {
     aboutFly: '切割头在一行孔之间以及沿网格各边不停顿：光束在运动中开关。适用于立即切透的板，以及能在运动中开关光束的控制器。带引线或微连接的轮廓逐个切割。',
     chains: '穿过废料连接轮廓', chainReach: '穿过废料的最长切割', chainClearance: '与其他轮廓的距离',
     edgeStarts: '也可从上一个轮廓的切缝开始',
+    shared: '共用边一起切割', aboutShared: '用于相距一个切缝的零件：只穿孔一次，作为整体切割。光束在其切缝上重新开始时不再穿孔。',
     aboutChains: '从一个轮廓的终点，光束直线穿过废料切到下一个轮廓，只在比关光、移动和穿孔更快的地方。角对角排列的零件获益最多。',
     aboutLift: '适用于可能翘起的零件。切割头在移动途中抬起和放下，除非您关闭此项。高度写在 G 代码里；其他控制器自行抬起。',
     about: '适用于打标，以及薄到光束立即穿透的板：切割头启动时出光，无需等待。开放切割和多遍切割仍从静止开始。',
@@ -394,7 +395,7 @@ export const zh: Words = {
 
   savings: {
     title: '各项节省', about: '每次去掉一项决定，其余重新规划。', ask: '计算', working: '计算中…',
-    decisions: { order: '顺序，而非最近优先', entry: '切入点，而非线的起点', common: '共用边只切一次', partial: '暂不切完轮廓', leads: '引线', 'moving-pierce': '运动中开始切割', fly: '飞行切割', chains: '轮廓之间穿过废料的切割', 'edge-starts': '从切缝开始', 'lift-on-the-way': '移动途中抬起切割头', 'stay-down': '短距离不抬起', 'avoid-tips': '避开可能翘起的零件，而非总是抬起', heat: '让切口冷却', 'flying-joints': '不停顿的微连接' },
+    decisions: { order: '顺序，而非最近优先', entry: '切入点，而非线的起点', common: '共用边只切一次', partial: '暂不切完轮廓', leads: '引线', 'moving-pierce': '运动中开始切割', fly: '飞行切割', chains: '轮廓之间穿过废料的切割', 'edge-starts': '从切缝开始', 'common-cuts': '共用边一起切割', 'lift-on-the-way': '移动途中抬起切割头', 'stay-down': '短距离不抬起', 'avoid-tips': '避开可能翘起的零件，而非总是抬起', heat: '让切口冷却', 'flying-joints': '不停顿的微连接' },
     saves: (time) => `节省 ${time}`, costs: (time) => `多用 ${time}`, done: (s) => `去掉一项决定的方案各搜索了至多 ${s} 秒。`,
   },
 

@@ -1,0 +1,203 @@
+//! Parts one kerf apart are cut together (`levers.common_cuts`): pierced once, and begun again on their kerfs.
+
+use super::made::{KERF, bulged, rounded, spaced, started};
+use crate::testkit::outlines::drawing;
+use crate::testkit::plates::rectangle;
+use kerfway::finding::Code;
+use kerfway::job::{Job, JobError, LoadOptions, MachineChoice, OutputKind, PlanOptions};
+use kerfway::machine::dialect::{DialectChoice, dialects};
+use kerfway::machine::{Chains, Fly, Levers, Profile, SharedCuts, Tips, preset, presets};
+use kerfway::output::{self, SheetFacts};
+use kerfway::plan::{self, Move, Plan, Violation};
+use kerfway::sheet::{CommonCuts, Sheet};
+
+/// A preset with a kerf, and what shares cuts cut together.
+fn together(name: &str) -> Profile {
+    let levers = Levers { common_cuts: Some(SharedCuts {}), ..Levers::default() };
+    Profile { kerf_width: KERF, pre_cut_time: None, levers, ..preset(name).unwrap() }
+}
+
+fn one_by_one(machine: &Profile) -> Profile {
+    let levers = Levers { common_cuts: None, ..machine.levers };
+    Profile { levers, ..machine.clone() }
+}
+
+fn of(job: &Job) -> (Sheet, Plan) {
+    (job.beam_sheet().clone(), job.plan().unwrap())
+}
+
+/// Cuts that begin without piercing after a move with the beam off.
+fn on_kerfs(plan: &Plan) -> usize {
+    plan.moves.windows(2).filter(|w| matches!(w, [Move::Air { .. }, Move::Cut { mark: false, .. }])).count()
+}
+
+#[test]
+fn a_grid_one_kerf_apart_is_pierced_once_on_every_preset() {
+    let mut pierced_once = 0;
+    for preset in presets().iter().filter(|p| p.cut.passes == 1 && p.cut.accel.is_some()) {
+        let machine = together(&preset.name);
+        for (m, n) in [(2, 1), (3, 2), (4, 3)] {
+            let (w, h) = (20.0 + KERF, 10.0 + KERF);
+            let union = (n + 1) as f64 * w * m as f64 + (m + 1) as f64 * h * n as f64;
+            let bytes = drawing(&spaced(m, n, KERF));
+            let plan = started(bytes.clone(), machine.clone()).plan().unwrap();
+            let alone = started(bytes, one_by_one(&machine)).plan().unwrap();
+            assert!((plan.summary.cut_length - union).abs() < 1e-6, "{}: {m} x {n}", preset.name);
+            assert!((alone.summary.cut_length - union).abs() < 1e-6, "{}: {m} x {n}", preset.name);
+            let (now, before) = (plan.summary.total_time, alone.summary.total_time);
+            assert!(now <= before + 1e-9, "{}: {m} x {n}: {now} {before}", preset.name);
+            if plan.summary.pierces == 1 {
+                pierced_once += 1;
+            }
+        }
+    }
+    assert!(pierced_once >= 15, "{pierced_once}");
+    // In a grid of 4 x 3, trails begin at every second T, all of them but the first on kerfs.
+    let plan = started(drawing(&spaced(4, 3, KERF)), together("fibre-6kw-thick")).plan().unwrap();
+    assert_eq!((plan.summary.pierces, on_kerfs(&plan)), (1, 4));
+    let saved = "12 contours share cuts and are cut as one";
+    let job = started(drawing(&spaced(4, 3, KERF)), together("fibre-6kw-thick"));
+    let found = &job.run().unwrap().findings;
+    assert!(found.iter().any(|f| f.code == Code::CommonCut && f.message.starts_with(saved)), "{found:?}");
+}
+
+#[test]
+fn what_lies_in_a_part_comes_before_it_falls_and_arcs_are_shared_too() {
+    // The checker follows what is held, element by element.
+    let mut outlines = spaced(3, 3, KERF);
+    let holes: Vec<_> = outlines.iter().map(|o| rectangle([o[0].x + 5.0, o[0].y + 3.0, 6.0, 4.0])).collect();
+    outlines.extend(holes);
+    let (sheet, plan) = of(&started(drawing(&outlines), together("fibre-3kw-thin")));
+    assert_eq!((sheet.groups.len(), plan.summary.pierces, plan.summary.parts), (1, 10, 9));
+    // Rounded parts in a row, and a disc in the hole of a plate.
+    let row: Vec<Vec<[f64; 3]>> =
+        [0.0, 30.0 + KERF, 60.0 + 2.0 * KERF].map(|x| rounded([x, 0.0, 30.0, 20.0, 4.0])).to_vec();
+    let lines: Vec<&[[f64; 3]]> = row.iter().map(Vec::as_slice).collect();
+    let plan = started(bulged(&lines, &[[15.0, 10.0, 5.0]]), together("fibre-6kw-thick")).plan().unwrap();
+    assert_eq!(plan.summary.pierces, 2, "three parts as one, and a hole");
+}
+
+#[test]
+fn programs_of_every_dialect_begin_on_kerfs_without_a_wait() {
+    for dialect in dialects().iter().filter(|d| d.pierce.is_some()) {
+        let choice = DialectChoice::named(&dialect.name);
+        let machine = Profile { dialect: choice, ..together("fibre-3kw-thin") };
+        let (sheet, plan) = of(&started(drawing(&spaced(4, 3, KERF)), machine.clone()));
+        assert!(on_kerfs(&plan) >= 4, "{}", dialect.name);
+        let facts = SheetFacts::of(&sheet);
+        let start = kerfway::machine::Start::Absolute;
+        let Ok(text) = output::gcode(&plan, &facts, &machine, "grid.dxf", start) else { continue };
+        for check in [output::check_against(&text, &machine, &plan), output::check(&text, &machine)] {
+            let check = check.unwrap();
+            assert!(check.passed, "{}: {:?}", dialect.name, check.problems);
+        }
+    }
+    let job = started(drawing(&spaced(4, 3, KERF)), together("fibre-3kw-thin"));
+    for kind in [OutputKind::Dxf, OutputKind::Svg, OutputKind::Lbrn2, OutputKind::Json] {
+        job.output(kind).unwrap();
+    }
+}
+
+#[test]
+fn where_it_saves_nothing_they_are_cut_one_by_one() {
+    let mut machine = together("fibre-3kw-thin");
+    (machine.beam_on_delay, machine.beam_off_delay, machine.pierce_time) = (0.0, 0.0, 0.0);
+    // Nor are corners fewer in one trail.
+    machine.cut.accel = None;
+    let (_, plan) = of(&started(drawing(&spaced(6, 5, KERF)), machine));
+    let whole = plan.moves.iter().all(|m| !matches!(m, Move::Cut { with, .. } if !with.is_empty()));
+    assert!(whole, "{:?}", plan.summary);
+}
+
+#[test]
+fn rows_on_the_run_and_chains_go_with_it() {
+    let mut outlines = spaced(3, 2, KERF);
+    for o in spaced(3, 2, KERF) {
+        outlines
+            .extend((0..4).map(|k| rectangle([o[0].x + 2.0 + 4.0 * f64::from(k), o[0].y + 4.0, 2.0, 2.0])));
+    }
+    let mut machine = together("fibre-3kw-thin");
+    machine.levers.fly = Some(Fly { reach: 20.0, overcut: 0.0 });
+    let (sheet, plan) = of(&started(drawing(&outlines), machine));
+    assert!(plan.summary.fly_cuts > 0 && sheet.groups.len() == 1);
+    assert_eq!(plan.moves.iter().filter(|m| matches!(m, Move::Pierce)).count(), 1);
+    let mut outlines = spaced(3, 2, KERF);
+    outlines.extend(
+        spaced(1, 2, 8.0)
+            .iter()
+            .map(|o| o.iter().map(|p| *p + kerfway::geometry::DVec2::X * 100.0).collect()),
+    );
+    let mut machine = together("fibre-6kw-thick");
+    machine.levers.chains = Some(Chains { reach: 30.0, clearance: 1.0, edge_starts: false });
+    let (_, plan) = of(&started(drawing(&outlines), machine));
+    assert_eq!((plan.summary.chains, plan.summary.pierces), (1, 2));
+}
+
+/// Violations after a change to the moves of a grid, the sums brought in line.
+fn after(change: impl FnOnce(&mut Vec<Move>)) -> Vec<Violation> {
+    let machine = together("fibre-6kw-thick");
+    let (sheet, mut plan) = of(&started(drawing(&spaced(3, 3, KERF)), machine.clone()));
+    change(&mut plan.moves);
+    let parts = plan.summary.parts;
+    plan.summary = plan::evaluate(&plan.moves, &sheet, &machine);
+    plan.summary.parts = parts;
+    plan::check(&sheet, &machine, &plan).unwrap_err()
+}
+
+#[test]
+fn plans_that_begin_off_a_kerf_or_cut_a_shared_line_twice_are_found() {
+    let begins = |m: &Move| matches!(m, Move::Pierce);
+    let found = after(|moves| moves.retain(|m| !begins(m)));
+    assert!(found.iter().any(|v| matches!(v, Violation::NoPreCut { .. })), "{found:?}");
+    // The second trail first: it ends on nothing, and nothing was pierced where it begins.
+    let found = after(|moves| {
+        let first = moves.iter().position(begins).unwrap();
+        let second = (first..moves.len()).find(|&k| matches!(moves[k], Move::Air { .. })).unwrap();
+        moves.remove(first);
+        moves.insert(second, Move::Pierce);
+    });
+    assert!(found.iter().any(|v| matches!(v, Violation::NoPreCut { .. })), "{found:?}");
+    let found = after(|moves| {
+        let at = moves.iter().position(|m| matches!(m, Move::Cut { .. })).unwrap();
+        let Move::Cut { path, .. } = &mut moves[at] else { unreachable!() };
+        let (there, back) = (path[0], path[0].reversed());
+        path.splice(0..0, [there, back]);
+    });
+    assert!(
+        found.iter().any(|v| matches!(v, Violation::Again { .. } | Violation::Strays { .. })),
+        "{found:?}"
+    );
+    let found = after(|moves| {
+        let at = moves.iter().rposition(|m| matches!(m, Move::Cut { .. })).unwrap();
+        moves.remove(at);
+    });
+    assert!(found.iter().any(|v| matches!(v, Violation::Partly { .. })), "{found:?}");
+}
+
+#[test]
+fn machines_and_methods_that_cannot_are_refused() {
+    let refused = |change: &dyn Fn(&mut Profile)| {
+        let mut machine = together("fibre-6kw-thick");
+        change(&mut machine);
+        machine.validate().unwrap_err().to_string()
+    };
+    assert!(refused(&|m| m.pre_cut_time = Some(1.0)).contains("levers.common_cuts and pre_cut_time"));
+    assert!(
+        refused(&|m| m.levers.tips =
+            Some(Tips { risky_moves: kerfway::machine::RiskyMoves::Ignore, ..Tips::default() }))
+        .contains("levers.tips")
+    );
+    let mut job = Job::load(drawing(&spaced(2, 1, KERF)), "two.dxf", &LoadOptions::default()).unwrap();
+    let machine = || MachineChoice::Profile(Box::new(together("fibre-6kw-thick")));
+    let options = PlanOptions { machine: machine(), method: Some("pso".into()), ..PlanOptions::default() };
+    assert!(
+        matches!(job.start(&options), Err(JobError::Conflict { field: "method", .. }))
+            || job.start(&options).is_err()
+    );
+    // A person decides for one by one.
+    let load = LoadOptions { common_cuts: CommonCuts::Off, ..LoadOptions::default() };
+    let mut job = Job::load(drawing(&spaced(2, 1, KERF)), "two.dxf", &load).unwrap();
+    job.start(&PlanOptions { machine: machine(), moves: Some(1000), ..PlanOptions::default() }).unwrap();
+    job.run_mut().unwrap().step(1000);
+    assert_eq!(job.plan().unwrap().summary.pierces, 2);
+}
