@@ -19,9 +19,18 @@ pub(super) fn findings(sheet: &Sheet, machine: &Profile, problem: &Problem) -> V
     });
     for group in as_one {
         let count = group.contours.len();
-        let message =
-            format!("{count} contours that share cuts have no leads: they are pierced on their outline.");
-        let finding = Finding::new(Code::LeadMissing, Severity::Warning, message);
+        let item = group.contours.first().and_then(|&c| problem.items.get(c as usize));
+        let led = item.is_some_and(|i| i.paths.iter().any(|path| path.lead_in.is_some()));
+        let (code, severity, message) = if led {
+            let message =
+                format!("{count} contours that share cuts have one straight lead-in for all of them.");
+            (Code::LeadAdjusted, Severity::Info, message)
+        } else {
+            let message =
+                format!("{count} contours that share cuts have no leads: they are pierced on their outline.");
+            (Code::LeadMissing, Severity::Warning, message)
+        };
+        let finding = Finding::new(code, severity, message);
         let at = group.nodes.first().copied().unwrap_or_default();
         all.push(finding.at(at).times(u32::try_from(count).unwrap_or(u32::MAX)));
     }

@@ -20,6 +20,7 @@ mod planner;
 mod run;
 mod scrap;
 mod shape;
+mod to_node;
 
 pub use findings::findings;
 pub use ladder::{Fit, Outcome};

@@ -14,10 +14,10 @@ const MORE_PLACES: usize = 32;
 
 /// Finds the leads of contours.
 pub struct Planner<'s> {
-    sheet: &'s Sheet,
+    pub(super) sheet: &'s Sheet,
     machine: &'s Profile,
-    leads: Leads,
-    scrap: Scrap<'s>,
+    pub(super) leads: Leads,
+    pub(super) scrap: Scrap<'s>,
 }
 
 /// The leads of one contour.

@@ -30,7 +30,7 @@ pub(crate) struct Scrap<'s> {
     /// Added to the distance from contours that are cut along their drawn line, mm: half the kerf.
     beside_drawn: f64,
     /// Leads stay in this box.
-    bed: Option<Aabb>,
+    pub(super) bed: Option<Aabb>,
 }
 
 pub(super) struct Element {

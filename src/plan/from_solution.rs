@@ -34,7 +34,8 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         if let Some(path) = problem.items.get(contour as usize).and_then(|i| i.path(stop.node)) {
             if let Some((from, to)) = stop.ends(problem) {
                 go(&mut moves, &mut head, from);
-                through(&mut moves, &problem.machine, from, &path.stretch(stop.along, stop.until));
+                let lead = path.lead_in.filter(|_| stop.along == 0.0);
+                through(&mut moves, &problem.machine, from, lead, &path.stretch(stop.along, stop.until));
                 head = to;
             }
             continue;
@@ -162,8 +163,15 @@ fn end_of_cut(step: &Move) -> Option<DVec2> {
     if let Move::Cut { path, .. } = step { path.last().map(Segment::end) } else { None }
 }
 
-/// The moves of a visit of a pierce group or of contours that are cut on the run, which begins at `head`.
-fn through(moves: &mut Vec<Move>, machine: &Profile, mut head: DVec2, strokes: &[Stroke]) {
+/// The moves of a visit of a pierce group or of contours that are cut on the run, which begins at `head`, with a lead to the first cut if
+/// there is one.
+fn through(
+    moves: &mut Vec<Move>,
+    machine: &Profile,
+    mut head: DVec2,
+    mut lead: Option<Segment>,
+    strokes: &[Stroke],
+) {
     for stroke in strokes {
         match stroke {
             Stroke::Air(to) => go(moves, &mut head, *to),
@@ -179,9 +187,11 @@ fn through(moves: &mut Vec<Move>, machine: &Profile, mut head: DVec2, strokes: &
             Stroke::Cut { spans, path, overcut } => {
                 let whose = spans.iter().flat_map(|s| std::iter::repeat_n(s.contour, s.elements));
                 let whose: Vec<u32> = whose.collect();
-                let leads = Leads { overcut: *overcut, ..Leads::default() };
-                cut(moves, machine, path, leads, |element| {
-                    whose.get(element).or(whose.last()).copied().unwrap_or_default()
+                let path: Vec<Segment> = lead.take().into_iter().chain(path.iter().copied()).collect();
+                let lead_in = path.len() - (whose.len() + overcut).min(path.len());
+                let leads = Leads { lead_in, overcut: *overcut, ..Leads::default() };
+                cut(moves, machine, &path, leads, |element| {
+                    whose.get(element.saturating_sub(lead_in)).or(whose.last()).copied().unwrap_or_default()
                 });
                 head = path.last().map_or(head, Segment::end);
             }

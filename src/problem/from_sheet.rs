@@ -35,7 +35,8 @@ use crate::sheet::{Contour, Operation, Sheet};
 /// * Passes: at once, they are one item whose seconds count for each pass; sheet by sheet, each is an item of its own, and
 ///   comes before the next.
 /// * Leads: if the machine has rules for them, the entries of a closed cut are those where its lead fits, and the seconds of
-///   the lead are part of the entry. Nothing is left unfinished then, and pierce groups have no leads.
+///   the lead are part of the entry. Nothing is left unfinished then, and pierce groups have no leads but
+///   the one to where they are pierced, without pre-cuts.
 /// * Fly cuts: if the machine cuts rows and grids on the run, the item of the first contour stands for all of them, and its nodes
 ///   are ways through them.
 /// * Chains: where contours may be joined through waste, their nodes include places opposite each other, and links between nodes
@@ -49,8 +50,8 @@ use crate::sheet::{Contour, Operation, Sheet};
 /// `paths`: the paths through each pierce group, as a solver of [`group_problems`](super::group_problems) finds them. The
 /// contours of a group without a path are items of their own.
 pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> Problem {
-    let joined = PierceGroups::new(sheet, machine, paths);
     let planners = Planners::new(sheet, machine);
+    let joined = PierceGroups::new(sheet, machine, planners.leads.as_ref(), paths);
     let pairs = pairs(sheet, &joined);
     let ranks = ranks(sheet, machine, &joined, &pairs);
     // In a pierce group, no contour has joints.

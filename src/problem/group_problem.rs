@@ -18,6 +18,8 @@ pub struct GroupProblems<'m> {
     pub method: GroupMethod,
     /// There is one group and nothing else to cut: the head comes from home and goes back there.
     pub is_all: bool,
+    /// The paths begin beside the area around the group, if they can: there is room for a lead.
+    pub from_outside: bool,
     /// The groups.
     pub groups: Vec<GroupProblem>,
 }
@@ -73,6 +75,7 @@ pub fn group_problems<'m>(sheet: &Sheet, machine: &'m Profile) -> GroupProblems<
             CommonCuts::Insertion => GroupMethod::Insertion,
             CommonCuts::Best | CommonCuts::Off => GroupMethod::Best,
         },
+        from_outside: !machine.makes_pre_cuts() && sheet.asks_for_leads(machine),
         is_all: matches!(groups, [only] if only.contours.len() == worked),
         groups: groups.iter().zip(beside).map(|(g, beside)| group_problem(g, beside)).collect(),
     }

@@ -118,6 +118,7 @@ impl Item {
     pub fn in_one_go(&self) -> Self {
         let bare = |p: &SubPath| SubPath {
             ends: p.ends,
+            lead_in: p.lead_in,
             seconds: p.seconds,
             strokes: Vec::new(),
             leave_points: Vec::new(),

@@ -4,9 +4,10 @@ use super::beside::in_one_go;
 use super::ids::{ItemId, NodeId};
 use super::model::{Item, Node};
 use super::seconds::seconds_alone;
-use super::sub_path::SubPath;
+use super::sub_path::{Stroke, SubPath};
 use crate::geometry::{Aabb, Segment, winding_number};
-use crate::machine::Profile;
+use crate::lead::Planner;
+use crate::machine::{Profile, air_time, process_time};
 use crate::sheet::{Contour, PierceGroup, Sheet};
 
 /// The pierce groups of a sheet that are cut as one, with the paths through each.
@@ -14,7 +15,7 @@ pub(super) struct PierceGroups<'s> {
     sheet: &'s Sheet,
     /// Whether groups are never left for other items.
     in_one_go: bool,
-    groups: Vec<(&'s PierceGroup, &'s [SubPath])>,
+    groups: Vec<(&'s PierceGroup, Vec<SubPath>)>,
     /// By contour: the group it is in.
     of: Vec<Option<u32>>,
     /// By contour: the group that closes it in, the smallest of several.
@@ -31,10 +32,50 @@ fn pays(sheet: &Sheet, machine: &Profile, group: &PierceGroup, paths: &[SubPath]
     machine.makes_pre_cuts() || paths.iter().any(|path| path.seconds < alone)
 }
 
+/// The pairs of paths that begin with a lead-in; without one, if none does.
+fn with_leads(machine: &Profile, leads: &Planner, paths: &[SubPath]) -> Vec<SubPath> {
+    let led: Vec<SubPath> = paths.iter().map(|path| with_lead(machine, leads, path)).collect();
+    let pairs = led.chunks(2).filter(|pair| pair.iter().all(|path| path.lead_in.is_some()));
+    let all: Vec<SubPath> = pairs.flatten().cloned().collect();
+    if all.is_empty() { paths.to_vec() } else { all }
+}
+
+/// A path with the lead-in to where it is pierced, if there is one.
+fn with_lead(machine: &Profile, leads: &Planner, path: &SubPath) -> SubPath {
+    let mut path = path.clone();
+    // The head moves to the lead in place of the first stroke's beginning.
+    let skipped = match path.strokes.first() {
+        Some(Stroke::Air(to)) => air_time(machine, path.ends[0], *to),
+        _ => 0.0,
+    };
+    let first = path.strokes.iter().find_map(|s| match s {
+        Stroke::Cut { spans, path, .. } => Some((spans.first()?.contour, path)),
+        _ => None,
+    });
+    let Some((contour, run)) = first else { return path };
+    let lead = run.first().and_then(|s| leads.lead_to_node(contour, s.start()));
+    let Some(lead) = lead else { return path };
+    let seconds = |path: &[Segment]| process_time(machine, &machine.cut, false, path);
+    let with: Vec<Segment> = std::iter::once(lead).chain(run.iter().copied()).collect();
+    path.seconds += seconds(&with) - seconds(run) - skipped;
+    if matches!(path.strokes.first(), Some(Stroke::Air(_))) {
+        path.strokes.remove(0);
+    }
+    path.ends[0] = lead.start();
+    path.lead_in = Some(lead);
+    path
+}
+
 impl<'s> PierceGroups<'s> {
     /// The groups that the machine cuts as one, and through which there is a path. Without pre-cuts, they are cut as one where
-    /// that takes fewer seconds. `paths`: the paths through each group.
-    pub(super) fn new(sheet: &'s Sheet, machine: &Profile, paths: &'s [Vec<SubPath>]) -> Self {
+    /// that takes fewer seconds, and with lead-ins. `paths`: the paths through each group.
+    pub(super) fn new(
+        sheet: &'s Sheet,
+        machine: &Profile,
+        leads: Option<&Planner>,
+        paths: &[Vec<SubPath>],
+    ) -> Self {
+        let leads = leads.filter(|_| !machine.makes_pre_cuts());
         let none = vec![None; sheet.contours.len()];
         let in_one_go = in_one_go(sheet, machine);
         let mut all =
@@ -55,7 +96,7 @@ impl<'s> PierceGroups<'s> {
                     all.within[c as usize] = index;
                 }
             }
-            all.groups.push((group, paths));
+            all.groups.push((group, leads.map_or_else(|| paths.clone(), |l| with_leads(machine, l, paths))));
         }
         all.find_areas();
         all
@@ -128,7 +169,7 @@ impl<'s> PierceGroups<'s> {
         let (group, paths) = &self.groups[self.of[contour as usize]? as usize];
         let first = NodeId::try_from(nodes.len()).ok()?;
         let stands = group.contours[0] == contour;
-        let mut paths = if stands { paths.to_vec() } else { Vec::new() };
+        let mut paths = if stands { paths.clone() } else { Vec::new() };
         if self.in_one_go {
             paths.iter_mut().for_each(|p| p.leave_points.clear());
         }

@@ -13,6 +13,8 @@ use crate::geometry::{DVec2, Segment};
 pub struct SubPath {
     /// Where the head arrives and leaves, mm.
     pub ends: [DVec2; 2],
+    /// The straight lead-in to where the first stroke cuts, if it has one: the head arrives at its beginning.
+    pub lead_in: Option<Segment>,
     /// What the head does in between.
     pub strokes: Vec<Stroke>,
     /// The seconds of all strokes together.

@@ -11,6 +11,10 @@ const MOST: f64 = 100.0;
 const ROUNDING: f64 = 1e-6;
 /// Part of a lead next to the joint where it is as near to its own contour as it has to be, as a fraction of its length.
 const JOINT: f64 = 0.1;
+/// Contours of a group meet at a node within this, mm.
+const NODE: f64 = 0.025;
+/// Least slope of a lead to a node: distance from the contours there in distances from the node.
+const SLOPE: f64 = 0.4;
 /// A lead that is this near to its own contour elsewhere touches it, mm.
 const TOUCHING: f64 = 1e-5;
 
@@ -66,6 +70,25 @@ impl<'s> Room<'s> {
         let around = self.depth(tip);
         let hole = own.depth % 2 == 1;
         (around != own.depth + u32::from(hole)).then_some(("does not lie in the scrap", tip))
+    }
+
+    /// What is wrong with a straight lead to a node at which contours of a group meet, one of them `own`, and where.
+    pub(super) fn fault_to_node(&self, own: &Contour, lead: &[Segment]) -> Option<(&'static str, DVec2)> {
+        let (tip, node) = (lead.first()?.start(), lead.last()?.end());
+        let meets = |s: &Segment| s.nearest(node).1.sqrt() <= NODE;
+        let meeting: Vec<u32> = self.elements.iter().filter(|e| meets(&e.1)).map(|e| e.0).collect();
+        let near = |p: DVec2| {
+            self.index.query(Aabb::of(p).grown(self.reach)).into_iter().any(|k| {
+                let (id, s, least) = &self.elements[k];
+                let own = SLOPE * p.distance(node);
+                s.nearest(p).1.sqrt() < if meeting.contains(id) { own } else { *least } - ROUNDING
+            })
+        };
+        if let Some(p) = points(lead).find(|p| near(*p)) {
+            return Some(("is too near to another cut", p));
+        }
+        let hole = own.depth % 2 == 1;
+        (self.depth(tip) != own.depth + u32::from(hole)).then_some(("does not lie in the scrap", tip))
     }
 
     /// Another cut that is too near to a point.

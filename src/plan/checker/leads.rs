@@ -55,6 +55,17 @@ fn rule(sheet: &Sheet, machine: &Profile, id: u32, contour: &Contour) -> Option<
     may.then(rule)
 }
 
+/// Whether a rule or a person asks for a lead-in of a part or hole, of which only a rest may be left to be cut.
+fn asked_of_outline(sheet: &Sheet, machine: &Profile, id: u32, contour: &Contour) -> bool {
+    let Some(outline) = contour.boundary() else { return false };
+    let side = if contour.depth % 2 == 1 { LeadSide::Hole } else { LeadSide::Outer };
+    let size = outline.bounds().size();
+    let rule = machine.leads.as_ref().and_then(|l| l.rule(side, size.x.max(size.y), outline.length()));
+    sheet
+        .chosen_lead(id)
+        .map_or_else(|| rule.is_some_and(|r| r.lead_in.kind != LeadKind::None), |kind| kind != LeadKind::None)
+}
+
 /// Whether a rule or a person asks for the lead of a contour.
 pub(super) fn asked(sheet: &Sheet, machine: &Profile, id: u32, contour: &Contour) -> bool {
     sheet.chosen_lead(id).is_some() || rule(sheet, machine, id, contour).flatten().is_some()
@@ -82,6 +93,16 @@ pub(super) fn check(
         let mut fault = |what, at| found.push(Violation::Lead { step, contour: *contour, what, at });
         let start = path.first().map_or(DVec2::ZERO, Segment::start);
         let [lead_in, on, again, lead_out] = leads.divide(path);
+        if groups.holds(*contour) && !leads.is_empty() && !machine.makes_pre_cuts() {
+            let straight = matches!(lead_in, [Segment::Line(_)]) && again.is_empty() && lead_out.is_empty();
+            let pierced = step > 0 && plan.moves.get(step - 1) == Some(&Move::Pierce);
+            if !straight || !pierced || !asked_of_outline(sheet, machine, *contour, known) {
+                fault("is one that no rule asks for", start);
+            } else if let Some((what, at)) = room.fault_to_node(known, lead_in) {
+                fault(what, at);
+            }
+            continue;
+        }
         let Some(wanted) = wanted(sheet, machine, *contour, known).filter(|_| !groups.holds(*contour)) else {
             if !leads.is_empty() {
                 fault("is one that no rule asks for", start);

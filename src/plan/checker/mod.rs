@@ -270,7 +270,7 @@ fn follow(
                     visits.note(step, *contour);
                 } else if grouped {
                     let contours: Vec<u32> = std::iter::once(*contour).chain(with.iter().copied()).collect();
-                    groups.cut(step, &contours, path, begun, found);
+                    groups.cut(step, &contours, leads.divide(path)[1], begun, found);
                     contours.iter().for_each(|&c| visits.note(step, c));
                 } else {
                     visits.cut(step, *contour, leads.divide(path)[1], found);

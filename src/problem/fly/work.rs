@@ -84,7 +84,7 @@ impl Work<'_> {
             }
         }
         let ends = [start, head];
-        Some(SubPath { ends, strokes, seconds, leave_points: Vec::new(), falls: Vec::new() })
+        Some(SubPath { ends, lead_in: None, strokes, seconds, leave_points: Vec::new(), falls: Vec::new() })
     }
 
     /// Contours as one group, if that saves seconds. `hop`: the least distance between two of them that follow each other, mm.

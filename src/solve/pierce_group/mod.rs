@@ -57,7 +57,8 @@ pub fn paths(problems: &GroupProblems) -> Vec<Vec<SubPath>> {
             let orders = orders(&net);
             known.push((net.clone(), orders));
         }
-        let paths = known.get(at).map(|known| best(&net, &known.1)).unwrap_or_default();
+        let paths =
+            known.get(at).map(|known| best(&net, &known.1, problems.from_outside)).unwrap_or_default();
         bridged.added(&net, paths)
     };
     problems.groups.iter().map(through).collect()
@@ -123,9 +124,12 @@ fn orders(net: &Net) -> Vec<Order> {
 }
 
 /// The paths that may be useful in a route: a path is dropped if another with air moves from and to its ends takes no
-/// longer. In pairs of forth and back, the cheapest first; for a small group all of them.
-fn best(net: &Net, orders: &[Order]) -> Vec<SubPath> {
-    let all: Vec<SubPath> = orders.iter().map(|order| strokes::sub_path(net, order)).collect();
+/// longer. `from_outside`: those that begin beside the area around the group, if there are any. In pairs of forth and back, the cheapest first; for a small group all of them.
+fn best(net: &Net, orders: &[Order], from_outside: bool) -> Vec<SubPath> {
+    let begins_outside = |order: &&Order| from_outside && net.is_outside(net.ends(order)[0]);
+    let outside: Vec<&Order> = orders.iter().filter(begins_outside).collect();
+    let useful = if outside.is_empty() { orders.iter().collect() } else { outside };
+    let all: Vec<SubPath> = useful.into_iter().map(|order| strokes::sub_path(net, order)).collect();
     let is_of_use =
         |way: &SubPath| !all.iter().any(|w| w.ends != way.ends && as_long(net, w, way.ends) <= way.seconds);
     let mut found: Vec<[SubPath; 2]> = Vec::new();

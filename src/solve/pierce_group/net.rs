@@ -157,6 +157,11 @@ impl<'s> Net<'s> {
         self.group.nodes[node as usize]
     }
 
+    /// Whether a node lies beside the area around the group.
+    pub(super) fn is_outside(&self, node: u32) -> bool {
+        self.around.first().is_some_and(|around| around.contains(&node))
+    }
+
     pub(super) fn is_odd(&self, node: u32) -> bool {
         self.degree[node as usize] % 2 == 1
     }

@@ -72,9 +72,16 @@ pub(super) fn sub_path(net: &Net, order: &[Step]) -> SubPath {
     let seconds = seconds(net, ends[0], &strokes);
     // A group that is the only item is left for nothing.
     if net.is_all {
-        return SubPath { ends, strokes, seconds, leave_points: Vec::new(), falls: Vec::new() };
+        return SubPath {
+            ends,
+            lead_in: None,
+            strokes,
+            seconds,
+            leave_points: Vec::new(),
+            falls: Vec::new(),
+        };
     }
-    SubPath { ends, strokes, seconds, leave_points, falls: falls(net, order, &along) }
+    SubPath { ends, lead_in: None, strokes, seconds, leave_points, falls: falls(net, order, &along) }
 }
 
 /// By area, the place on the path at which it has fallen out; `along` gives the place before each step. The order is

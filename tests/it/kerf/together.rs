@@ -1,12 +1,14 @@
 //! Parts one kerf apart are cut together (`levers.common_cuts`): pierced once, and begun again on their kerfs.
 
 use super::made::{KERF, bulged, rounded, spaced, started};
+use crate::testkit::leads::{leads, with_leads};
 use crate::testkit::outlines::drawing;
 use crate::testkit::plates::rectangle;
 use kerfway::finding::Code;
+use kerfway::geometry::{DVec2, Segment};
 use kerfway::job::{Job, JobError, LoadOptions, MachineChoice, OutputKind, PlanOptions};
 use kerfway::machine::dialect::{DialectChoice, dialects};
-use kerfway::machine::{Chains, Fly, Levers, Profile, SharedCuts, Tips, preset, presets};
+use kerfway::machine::{Chains, Fly, LeadKind, Levers, Profile, SharedCuts, Tips, preset, presets};
 use kerfway::output::{self, SheetFacts};
 use kerfway::plan::{self, Move, Plan, Violation};
 use kerfway::sheet::{CommonCuts, Sheet};
@@ -122,15 +124,78 @@ fn rows_on_the_run_and_chains_go_with_it() {
     assert!(plan.summary.fly_cuts > 0 && sheet.groups.len() == 1);
     assert_eq!(plan.moves.iter().filter(|m| matches!(m, Move::Pierce)).count(), 1);
     let mut outlines = spaced(3, 2, KERF);
-    outlines.extend(
-        spaced(1, 2, 8.0)
-            .iter()
-            .map(|o| o.iter().map(|p| *p + kerfway::geometry::DVec2::X * 100.0).collect()),
-    );
+    outlines.extend(spaced(1, 2, 8.0).iter().map(|o| o.iter().map(|p| *p + DVec2::X * 100.0).collect()));
     let mut machine = together("fibre-6kw-thick");
     machine.levers.chains = Some(Chains { reach: 30.0, clearance: 1.0, edge_starts: false });
     let (_, plan) = of(&started(drawing(&outlines), machine));
     assert_eq!((plan.summary.chains, plan.summary.pierces), (1, 2));
+}
+
+/// The lead-ins of cuts that are pierced, each with where it is pierced.
+fn leads_in(plan: &Plan) -> Vec<Option<DVec2>> {
+    let of = |w: &[Move]| match w {
+        [Move::Pierce, Move::Cut { path, leads, .. }] => {
+            Some(path.first().filter(|_| leads.lead_in > 0).map(Segment::start))
+        }
+        _ => None,
+    };
+    plan.moves.windows(2).filter_map(of).collect()
+}
+
+#[test]
+fn with_leads_they_are_pierced_in_the_waste() {
+    for kind in [LeadKind::Line, LeadKind::Arc] {
+        for (m, n) in [(2, 1), (3, 2), (4, 3)] {
+            let mut outlines = spaced(m, n, KERF);
+            let holes: Vec<_> =
+                outlines.iter().map(|o| rectangle([o[0].x + 5.0, o[0].y + 3.0, 8.0, 4.0])).collect();
+            outlines.extend(holes);
+            let machine = with_leads(together("fibre-6kw-thick"), leads(kind, 2.0, 0.0));
+            let job = started(drawing(&outlines), machine.clone());
+            let (sheet, plan) = of(&job);
+            let places = leads_in(&plan);
+            assert_eq!(places.len(), m * n + 1, "{m} x {n}");
+            // Each hole and the group have one.
+            assert!(places.iter().all(Option::is_some), "{m} x {n}: {:?}", plan.summary);
+            let on = |o: &[DVec2], p: DVec2| {
+                (0..o.len())
+                    .map(|k| Segment::line(o[k], o[(k + 1) % o.len()]).nearest(p).1.sqrt())
+                    .fold(f64::INFINITY, f64::min)
+            };
+            for p in places.into_iter().flatten() {
+                assert!(outlines.iter().all(|o| on(o, p) > 0.5 * KERF + 0.5), "{p}");
+            }
+            let said = format!(
+                "{} contours that share cuts have one straight lead-in",
+                sheet.groups[0].contours.len()
+            );
+            let findings = &job.run().unwrap().findings;
+            assert!(findings.iter().any(|f| f.message.starts_with(&said)), "{findings:?}");
+            let text = job.output(OutputKind::Gcode).unwrap();
+            let check = output::check_against(&text, &machine, &plan).unwrap();
+            assert!(check.passed, "{:?}", check.problems);
+            // Pierced elsewhere, the lead runs through a part or beside it.
+            let grouped = |m: &Move| matches!(m, Move::Cut { with, leads, .. } if !with.is_empty() && leads.lead_in > 0);
+            let at = plan.moves.iter().position(grouped).unwrap();
+            for away in
+                [DVec2::new(3.0, 0.5), DVec2::new(-3.0, 0.5), DVec2::new(0.5, 3.0), DVec2::new(0.5, -3.0)]
+            {
+                let mut plan = plan.clone();
+                let Move::Cut { path, .. } = &mut plan.moves[at] else { unreachable!() };
+                let node = path[0].end();
+                path[0] = Segment::line(node + away, node);
+                let Move::Air { to, .. } = &mut plan.moves[at - 2] else { unreachable!() };
+                *to = node + away;
+                let inside = outlines.iter().take(m * n).any(|o| {
+                    let (low, high) = (o[0] - 0.5 * KERF, o[2] + 0.5 * KERF);
+                    (node + away).cmpgt(low).all() && (node + away).cmplt(high).all()
+                });
+                let found = plan::check(&sheet, &machine, &plan).unwrap_err();
+                let lead = found.iter().any(|v| matches!(v, Violation::Lead { .. }));
+                assert!(lead || !inside, "{m} x {n}: {away} {found:?}");
+            }
+        }
+    }
 }
 
 /// Violations after a change to the moves of a grid, the sums brought in line.

@@ -71,6 +71,7 @@ fn with_groups(mut problem: Problem, rng: &mut Rng) -> Problem {
             let falls = vec![f64::INFINITY, 1.0 + rng.uniform() * 3.0];
             let seconds = rng.uniform() * 10.0;
             item.paths.push(SubPath {
+                lead_in: None,
                 ends: [own.entry, exit],
                 strokes: Vec::new(),
                 seconds,
