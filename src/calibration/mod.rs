@@ -143,7 +143,9 @@ impl Job {
                 Move::Chain { path } => {
                     let path = Element::segments(path, &mut head);
                     let last = cuts.last().map(|cut| (cut.0, cut.1));
-                    cuts.extend(last.map(|(mark, process)| (mark, process, path)));
+                    // At the edge of the sheet there may be no cut before it.
+                    let (mark, process) = last.unwrap_or((false, machine.cut));
+                    cuts.push((mark, process, path));
                     // On a kerf, the beam goes on after it went off.
                     chained = after_cut;
                 }

@@ -4,7 +4,7 @@ use super::{Geometry, Run};
 use crate::geometry::{Path, Segment};
 use crate::machine::{AirTime, Profile, cut_time};
 use crate::plan::{AirMoves, Move, Plan, Way};
-use crate::problem::{Span, Stroke};
+use crate::problem::{Item, Span, Stroke};
 use crate::sheet::Sheet;
 
 /// The path of the head.
@@ -191,19 +191,23 @@ impl BestPath {
 /// The leads of the stops.
 fn leads(run: &Run) -> Geometry {
     let problem = run.problem();
-    if problem.items.iter().all(|i| i.leads.is_none()) {
+    let led = |i: &Item| i.leads.is_some() || i.paths.iter().any(|path| path.lead_in.is_some());
+    if !problem.items.iter().any(led) {
         return Geometry::default();
     }
     let mut paths: Vec<Path> = Vec::with_capacity(2 * run.best().stops.len());
     for stop in &run.best().stops {
         let item = problem.nodes.get(stop.node as usize).and_then(|n| problem.items.get(n.item as usize));
-        // Of a pierce group, each stretch is a stop.
-        let spans = item.and_then(|i| i.path(stop.node)).map_or(1, |p| p.spans().count());
-        let lead = item.and_then(|i| i.lead(stop.node)).map(|l| l.0.clone()).unwrap_or_default();
-        let pair = [lead.lead_in, lead.lead_out].map(|path| Path::new(path, false));
-        for _ in 0..spans {
-            paths.extend(pair.clone());
+        // Of a pierce group, each stretch is a stop, and the first one has the lead.
+        if let Some(path) = item.and_then(|i| i.path(stop.node)) {
+            paths.push(Path::new(path.lead_in.into_iter().collect(), false));
+            paths.extend(vec![Path::default(); 2 * path.spans().count() - 1]);
+            continue;
         }
+        // What begins at the edge of the sheet is a chain.
+        let lead = item.and_then(|i| i.lead(stop.node)).map(|l| l.0).filter(|lead| !lead.from_edge);
+        let lead = lead.cloned().unwrap_or_default();
+        paths.extend([lead.lead_in, lead.lead_out].map(|path| Path::new(path, false)));
     }
     Geometry::of(paths.iter())
 }

@@ -128,7 +128,10 @@ fn stop(problem: &Problem, visit: &Visit) -> Option<Stop> {
                 stops.find(same_way).map(|s| Stop::whole(s.node, along))
             }
             Some(_) => None,
-            None => stops.find(|s| same_way(s) && (s.along - along).abs() <= SAME_PLACE),
+            // Where it is also entered from the edge of the sheet, without piercing, it is the quicker one.
+            None => stops
+                .filter(|s| same_way(s) && (s.along - along).abs() <= SAME_PLACE)
+                .min_by(|a, b| item.extra(a.node, a.along).total_cmp(&item.extra(b.node, b.along))),
         }
     };
     Some(Stop { until: at(until)?.along, ..at(along)? })

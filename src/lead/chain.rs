@@ -32,6 +32,12 @@ impl Scrap<'_> {
         fits && self.is_in_scrap(own, (from + to) * 0.5)
     }
 
+    /// Whether a straight cut from the edge of the sheet to the entry of a contour lies in waste, away from every other contour by the
+    /// clearance, and from its own away from its end.
+    pub(crate) fn leads_in(&self, contour: u32, from: DVec2, to: DVec2) -> bool {
+        self.joins([contour; 2], to, from)
+    }
+
     /// Whether a line that begins at a contour gets away from an element of it.
     fn leaves(&self, line: &Segment, shape: &Segment) -> bool {
         let length = line.length();

@@ -140,7 +140,11 @@ impl Ladder<'_, '_> {
             let overcut = self.rule.overcut.clamp(-0.5 * whole, 0.5 * whole);
             let exit = Spot::new(self.path, Lead::end(overcut, spot.along, whole)).unwrap_or(*spot);
             let (lead_out, fit) = self.lead_out(&exit);
-            Some(Found { along: spot.along, lead: Lead { lead_in, overcut, lead_out }, lead_out: fit })
+            Some(Found {
+                along: spot.along,
+                lead: Lead { lead_in, overcut, lead_out, from_edge: false },
+                lead_out: fit,
+            })
         };
         spots.iter().filter_map(found).collect()
     }

@@ -11,6 +11,8 @@ pub struct Lead {
     pub overcut: f64,
     /// From where the contour ends; empty for none.
     pub lead_out: Vec<Segment>,
+    /// The lead-in begins at the edge of the sheet, where nothing is pierced.
+    pub from_edge: bool,
 }
 
 /// The elements of a cut, with how many of them are not the contour itself.
@@ -96,6 +98,7 @@ mod tests {
             lead_in: line(DVec2::new(5.0, -3.0), at),
             overcut: 1.0,
             lead_out: line(DVec2::new(6.0, 0.0), DVec2::new(6.0, -2.0)),
+            from_edge: false,
         };
         let run = lead.run(&square(), 5.0);
         assert_eq!((run.lead_in, run.overcut, run.lead_out), (1, 1, 1));

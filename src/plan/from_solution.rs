@@ -52,7 +52,8 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
             continue;
         }
         let lead = item.and_then(|i| i.lead(stop.node)).map(|l| l.0);
-        let (path, leads) = match lead {
+        let from_edge = lead.filter(|lead| lead.from_edge);
+        let (path, leads) = match lead.filter(|lead| !lead.from_edge) {
             Some(lead) => with_leads(lead, &known.path, stop.along),
             None => (path_of(&known.path, stop, node.reversed), Leads::default()),
         };
@@ -61,6 +62,9 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         if let Some(link) = link {
             link.via.iter().for_each(|&via| go(&mut moves, &mut head, via));
             moves.push(Move::Chain { path: vec![Segment::line(head, entry)] });
+        } else if let Some((lead, first)) = from_edge.and_then(|l| Some((l, l.lead_in.first()?))) {
+            go(&mut moves, &mut head, first.start());
+            moves.push(Move::Chain { path: lead.lead_in.clone() });
         } else {
             go(&mut moves, &mut head, entry);
         }
@@ -69,7 +73,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         let moving =
             item.is_none_or(|i| i.joints.is_none()) && starts_moving(sheet, &problem.machine, known, lead);
         let start = match (moving, known.is_mark()) {
-            _ if resumed || link.is_some() => None,
+            _ if resumed || link.is_some() || from_edge.is_some() => None,
             (true, _) => Some(Move::MovingStart),
             (false, true) => None,
             (false, false) => Some(Move::Pierce),

@@ -208,7 +208,7 @@ pub struct Summary {
     #[serde(default, skip_serializing_if = "is_none")]
     #[cfg_attr(test, ts(as = "Option<u32>", optional))]
     pub chains: u32,
-    /// Those of them that begin on the kerf of a contour, after an air move.
+    /// Those of them that begin on the kerf of a contour or at the edge of the sheet, after an air move.
     #[serde(default, skip_serializing_if = "is_none")]
     #[cfg_attr(test, ts(as = "Option<u32>", optional))]
     pub edge_starts: u32,

@@ -17,7 +17,7 @@ use super::links::{Link, Links};
 use super::model::{Item, Node};
 use super::seconds::start_seconds;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment};
-use crate::lead::Scrap;
+use crate::lead::{Lead, Scrap};
 use crate::machine::{AirTime, Chains, PLANS_ALL_LEVERS, Profile, cut_time};
 use crate::order::{real, sort_by};
 use crate::sheet::{Contour, Operation, Sheet};
@@ -229,8 +229,14 @@ impl<'s> Candidates<'s> {
         let end = |node: NodeId| {
             let known = nodes.get(node as usize)?;
             let place = if entry { known.entry } else { known.exit };
+            let lead = item?.lead(node).map(|l| l.0);
+            let from_edge = lead.is_some_and(|l| l.from_edge);
+            if entry && from_edge {
+                return None;
+            }
             // A lead has left the contour in a direction of its own.
-            let free = known.entry != known.exit || item?.leads.is_some();
+            let free =
+                !from_edge && (known.entry != known.exit || lead.is_some_and(|l| *l != Lead::default()));
             Some(End { node, place, normals: if free { None } else { normals(path?, known.along) } })
         };
         ids.filter_map(end).collect()

@@ -1,6 +1,7 @@
 //! Conversion of a sheet to a problem: one item for each contour, with entries, precedence from the nesting, and a rank.
 
 use super::chains::Candidates;
+use super::edges::Edges;
 use super::entries::entries;
 use super::fly::FlyGroups;
 use super::groups::Groups;
@@ -41,6 +42,7 @@ use crate::sheet::{Contour, Operation, Sheet};
 ///   are ways through them.
 /// * Chains: where contours may be joined through waste, their nodes include places opposite each other, and links between nodes
 ///   say what a chain takes. A contour with links is entered at its nodes only.
+/// * Edge starts: a contour near the edge of the sheet is also entered from there, without piercing.
 /// * Joints: a contour with micro-joints is entered where its leads are away from them, or at the end of one. It is not left
 ///   unfinished, and is pierced at rest.
 /// * Sequences: pairs of items. Contours in a sequence are not left unfinished, and have at least the rank of those before them.
@@ -61,6 +63,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
     let flown = FlyGroups::new(sheet, machine, &planners, &ranks, avoided);
     let is_alone = |c| !joined.holds(c) && !flown.holds(c);
     let chained = Candidates::new(sheet, machine, &planners, is_alone);
+    let edges = Edges::new(sheet, machine);
     let keeps_together = sheet.keeps_together();
     let mut items = Vec::with_capacity(sheet.contours.len());
     let mut nodes: Vec<Node> = Vec::new();
@@ -101,7 +104,25 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
             continue;
         }
         let passes = sheet.passes_at_once(contour, machine);
-        match chained.as_ref().and_then(|c| c.places(item)) {
+        let joined_places = chained.as_ref().and_then(|c| c.places(item));
+        let at_edge =
+            edges.as_ref().filter(|_| joints.is_none()).and_then(|e| e.entries(item, contour, joined_places));
+        if let Some((leads, places, least)) = at_edge {
+            for LeadNode { along, entry, exit } in places {
+                let twin = count(&nodes);
+                nodes.push(Node { item, entry, exit, along, reversed: false, twin });
+            }
+            items.push(Item {
+                nodes: first..count(&nodes),
+                before: joined.before(item),
+                rank,
+                fixed: machine.delays_of_cut(false) + least,
+                leads: Some(leads),
+                ..Item::default()
+            });
+            continue;
+        }
+        match joined_places {
             Some(places) => push_places(&mut nodes, item, places),
             None => push_nodes(&mut nodes, item, contour, passes),
         }

@@ -87,6 +87,11 @@ impl ItemLeads {
         (!nodes.is_empty()).then_some((Self { leads, outcome }, nodes, least))
     }
 
+    /// Leads that no rule asks for.
+    pub(super) fn without_rules(leads: Vec<(Lead, f64)>) -> Self {
+        Self { leads, outcome: Outcome::default() }
+    }
+
     /// Whether the contour's cut begins moving: its leads have one overcut.
     pub(super) fn start_moving(&self, sheet: &Sheet, machine: &Profile, contour: &Contour) -> bool {
         starts_moving(sheet, machine, contour, self.leads.first().map(|l| &l.0))

@@ -3,6 +3,7 @@
 
 mod beside;
 mod chains;
+mod edges;
 mod entries;
 mod fly;
 mod from_sheet;

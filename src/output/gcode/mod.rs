@@ -242,7 +242,8 @@ impl<'d> Writer<'d> {
                         let words = format!("{order} of {all}: cut contour {contour}, layer ");
                         self.pen.lines.comment_naming(&words, sheet.layer_name(*contour));
                     }
-                    let verb = if after_cut { "through waste" } else { "from a kerf through waste" };
+                    let verb =
+                        if after_cut { "through waste" } else { "from a kerf or an edge through waste" };
                     let words = format!("{verb} for {length:.3} mm to contour {contour}");
                     self.pen.lines.comment_naming(&words, "");
                     let process = CutProcess::new(&sheet.process(*contour, self.profile), height);

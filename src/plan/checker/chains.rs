@@ -2,7 +2,7 @@
 //!
 //! A chain is followed in small steps. A place on it is in waste if an even number of outlines is around it. It is as far from
 //! every contour as the machine says; from the two that the chain joins it may be as near as a quarter of the way to its end,
-//! so that the chain does not run along them. Where the machine has edge starts, it may begin on the kerf of the contour that was cut last.
+//! so that the chain does not run along them. Where the machine has edge starts, it may begin on the kerf of the contour that was cut last, or at the edge of the sheet.
 
 use super::tolerance::SAME;
 use super::violation::Violation;
@@ -39,10 +39,20 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             continue;
         };
         let (last, edge) = match before {
+            [Move::Air { .. }] => (None, true),
             [.., last, Move::Air { .. }] => (Some(last), true),
             [.., last] => (Some(last), false),
             [] => (None, false),
         };
+        if let (Some(edge), Some(Move::Cut { contour, .. })) =
+            (edge_of(sheet).filter(|_| edge && room.lever.edge_starts), plan.moves.get(step + 1))
+            && edge.iter().any(|s| s.nearest(at).1.sqrt() <= SAME)
+        {
+            if let Some((what, at)) = room.fault_from_edge(*contour, path, at) {
+                fault(what, at);
+            }
+            continue;
+        }
         let (Some(Move::Cut { contour: a, .. }), Some(Move::Cut { contour: b, .. })) =
             (last, plan.moves.get(step + 1))
         else {
@@ -59,6 +69,14 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             fault(what, at);
         }
     }
+}
+
+/// The edge of the sheet: the smallest outline that is drawn around everything and not cut.
+fn edge_of(sheet: &Sheet) -> Option<&[Segment]> {
+    let worked = sheet.contours.iter().filter(|c| c.is_processed() && !c.skeleton);
+    let all = worked.fold(Aabb::EMPTY, |all, c| all.union(c.path.bounds()));
+    let around = sheet.ignored.iter().map(|i| &i.path).filter(|p| p.closed && p.bounds().contains_box(&all));
+    around.reduce(|a, b| if b.area().abs() < a.area().abs() { b } else { a }).map(|p| p.segments.as_slice())
 }
 
 /// Everything that is cut, as chains see it.
@@ -120,6 +138,29 @@ impl<'s> Room<'s> {
             }
         }
         None
+    }
+
+    /// What is wrong with a cut from the edge of the sheet to a contour that begins at `at`, and where.
+    fn fault_from_edge(&self, contour: u32, path: &[Segment], at: DVec2) -> Option<(&'static str, DVec2)> {
+        let [Segment::Line(line)] = path else { return Some(("is not straight", at)) };
+        let way = line.end - line.start;
+        let length = way.length();
+        if length > self.lever.reach + SAME {
+            return Some(("is longer than the machine allows", at));
+        }
+        let known = self.sheet.contours.get(contour as usize)?;
+        if !known.path.closed || known.operation != Operation::Cut || known.skeleton {
+            return Some(("joins contours that are not cut alike", at));
+        }
+        let count = (length / STEP).ceil().clamp(2.0, MOST);
+        let fractions = std::iter::successors(Some(0.0), |k| (*k < count).then_some(k + 1.0));
+        fractions.map(|k| (length * (1.0 - k / count), line.start + way * (k / count))).find_map(
+            |(left, p)| {
+                let part = left > JOINT && self.depth(p) % 2 == 1;
+                let what = self.too_near([contour; 2], [left; 2], p).or(part.then_some("cuts into a part"));
+                what.map(|what| (what, p))
+            },
+        )
     }
 
     /// Whether a place is on the path of a closed contour.

@@ -63,6 +63,8 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                 // From rest to rest, with the speed and acceleration of the cut before it.
                 let (v, a) = (process.speed, process.accel.unwrap_or(f64::INFINITY));
                 cut_seconds += path.iter().map(|s| trapezoid(s.end().distance(s.start()), v, a)).sum::<f64>();
+                // It may begin at the edge of the sheet, beyond all contours.
+                bounds = path.iter().fold(bounds, |b, s| b.union(s.bounds()));
                 head = path.last().map_or(head, |s| s.end());
             }
             Move::Fly { path } => {

@@ -50,6 +50,12 @@ impl Sheet {
         Ok(Some(sheet))
     }
 
+    /// The edge of the sheet: the smallest closed outline that is drawn around everything and not cut; `None` if there is none. A bed may be
+    /// larger than the sheet on it.
+    pub(crate) fn edge(&self) -> Option<&Path> {
+        outline::drawn(self)
+    }
+
     /// The stretches that are cut, without an order.
     fn skeleton_cuts(&self, skeleton: &Skeleton, machine: &Profile) -> Result<Vec<Path>, SkeletonFault> {
         let outline = outline::of(self, machine)?;

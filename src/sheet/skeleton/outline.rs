@@ -9,9 +9,7 @@ use crate::machine::Profile;
 /// The smallest closed outline around everything that is drawn and not cut; otherwise the bed of the machine.
 pub(super) fn of(sheet: &Sheet, machine: &Profile) -> Result<Path, SkeletonFault> {
     let job = parts(sheet);
-    let around = sheet.ignored.iter().map(|i| &i.path).filter(|p| p.closed && p.bounds().contains_box(&job));
-    let smallest = around.min_by(|a, b| a.area().abs().total_cmp(&b.area().abs()));
-    match (smallest, machine.bed) {
+    match (drawn(sheet), machine.bed) {
         (Some(path), _) => Ok(path.clone()),
         (None, Some([x0, y0, x1, y1])) => {
             let bed = Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) };
@@ -19,6 +17,13 @@ pub(super) fn of(sheet: &Sheet, machine: &Profile) -> Result<Path, SkeletonFault
         }
         (None, None) => Err(SkeletonFault::NoSheet),
     }
+}
+
+/// The smallest closed outline around everything that is drawn and not cut.
+pub(super) fn drawn(sheet: &Sheet) -> Option<&Path> {
+    let job = parts(sheet);
+    let around = sheet.ignored.iter().map(|i| &i.path).filter(|p| p.closed && p.bounds().contains_box(&job));
+    around.min_by(|a, b| a.area().abs().total_cmp(&b.area().abs()))
 }
 
 /// The box around everything that is worked, without skeleton cuts.

@@ -301,8 +301,8 @@ export interface Chains {
   /** Least distance of such a cut from every contour but the two that it joins, and from these away from its ends, mm. Default 1. */
   clearance?: number,
   /**
-   * Such a cut may also begin elsewhere on the kerf of the contour that was cut last: the head moves there with the beam off, and the
-   * beam goes on without piercing. Default false.
+   * Such a cut may also begin elsewhere on the kerf of the contour that was cut last, or at the edge of the sheet: the head moves there
+   * with the beam off, and the beam goes on without piercing. Default false.
    */
   edge_starts?: boolean,
 }
@@ -933,7 +933,7 @@ export interface Summary {
   fly_cuts?: number,
   /** Number of cuts through waste that lead to contours. */
   chains?: number,
-  /** Those of them that begin on the kerf of a contour, after an air move. */
+  /** Those of them that begin on the kerf of a contour or at the edge of the sheet, after an air move. */
   edge_starts?: number,
   /** The length of all of them, mm, which is part of the length of cuts. */
   chain_length?: number,
