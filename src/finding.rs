@@ -109,6 +109,8 @@ pub enum Code {
     JointAdjusted,
     /// There is no room for a micro-joint, or a contour cannot have any.
     JointMissing,
+    /// There is no room for a loop at a corner, or a corner cannot be rounded.
+    CornerStopped,
     /// The drawing lies so far from the origin that the controller's single-precision numbers cannot resolve its
     /// details.
     FarFromOrigin,

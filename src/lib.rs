@@ -91,6 +91,7 @@
 //!   need it.
 
 pub mod calibration;
+pub mod corner;
 pub mod geometry;
 
 pub mod drawing;

@@ -105,6 +105,7 @@ impl Code {
                 "contours have other micro-joints than wanted",
             ),
             Self::JointMissing => Counted("micro-joint is missing", "micro-joints are missing"),
+            Self::CornerStopped => Counted("corner is turned in as drawn", "corners are turned in as drawn"),
             Self::FarFromOrigin => Whole("The drawing lies too far from the origin to be cut"),
             Self::OffBed => Whole("The job does not lie on the bed"),
             Self::HotPairs => Whole("Cuts near each other follow each other too soon"),

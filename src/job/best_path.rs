@@ -2,7 +2,7 @@
 
 use super::{Geometry, Run};
 use crate::geometry::{Path, Segment};
-use crate::machine::{AirTime, Profile, cut_time};
+use crate::machine::{AirTime, CornerKind, Profile, cut_time};
 use crate::plan::{AirMoves, Move, Plan, Way};
 use crate::problem::{Item, Span, Stroke};
 use crate::sheet::Sheet;
@@ -27,6 +27,8 @@ pub struct BestPath {
     pub leads: Geometry,
     /// The micro-joints, which stay uncut, in the order of the stops.
     pub joints: Geometry,
+    /// The loops at corners, in the order of the stops.
+    pub loops: Geometry,
     /// Positions of pre-cuts: x, y each, mm.
     pub pre_cuts: Vec<f64>,
     /// Sharp corners where a cut pauses: x, y each, mm.
@@ -77,6 +79,7 @@ impl BestPath {
         }
         path.leads = leads(run);
         path.joints = Geometry::of(joints(run, sheet).iter());
+        path.loops = loops(&plan);
         if let Some(zones) = &problem.zones {
             path.tips = zones.pieces().iter().filter_map(|p| p.cut_by.first().copied()).collect();
         }
@@ -210,6 +213,19 @@ fn leads(run: &Run) -> Geometry {
         paths.extend([lead.lead_in, lead.lead_out].map(|path| Path::new(path, false)));
     }
     Geometry::of(paths.iter())
+}
+
+/// The loops of a plan.
+fn loops(plan: &Plan) -> Geometry {
+    let of = |m: &Move| match m {
+        Move::Cut { path, turns, .. } => {
+            let loops = turns.iter().filter(|turn| turn.kind == CornerKind::Loop);
+            loops.map(|turn| Path::new(turn.of(path).to_vec(), false)).collect()
+        }
+        _ => Vec::new(),
+    };
+    let paths: Vec<Path> = plan.moves.iter().flat_map(of).collect();
+    if paths.is_empty() { Geometry::default() } else { Geometry::of(paths.iter()) }
 }
 
 /// The joints of the stops.

@@ -7,6 +7,7 @@
 mod best_path;
 mod code;
 mod common_cuts;
+mod corners;
 mod error;
 mod heat;
 mod joints;
@@ -176,6 +177,7 @@ impl Job {
             );
             return Err(FieldError::new(Fault::Contradiction, "machine.levers", message).into());
         }
+        corners::check(&self.sheet, profile)?;
         self.drop_run();
         let mut findings = self.compensate(placed.profile.kerf_width);
         let skeleton = self.beam_sheet().with_skeleton(&placed.seen_from_drawing()).map_err(|fault| {

@@ -6,7 +6,7 @@ use super::ranges::{
     TOLERANCE, TURN, WORKERS,
 };
 use crate::fields::{Field, Kind, Shape, Shaped};
-use crate::machine::{Anchor, JOINT_COUNT, LAYER_SETTINGS, LEAD_KINDS, Profile};
+use crate::machine::{Anchor, CORNER_KINDS, JOINT_COUNT, LAYER_SETTINGS, LEAD_KINDS, Profile};
 
 const IDS: Kind = Kind::List(&Kind::Whole(ID));
 const LENGTHS: Kind = Kind::List(&Kind::Number(ALONG));
@@ -56,6 +56,7 @@ const CONTOUR: &[Field] = &[
     Field::required("contour", Kind::Whole(ID)),
     Field::nullable("joints", Kind::Whole(JOINT_COUNT)),
     Field::nullable("lead", Kind::Choice(LEAD_KINDS)),
+    Field::nullable("corners", Kind::Choice(CORNER_KINDS)),
 ];
 
 const GROUP: &[Field] = &[
@@ -111,6 +112,8 @@ const WARM: &[Field] = &[
     Field::optional("viaOf", IDS),
     Field::optional("tips", IDS),
     Field::optional("waits", LENGTHS),
+    Field::optional("loops", LENGTHS),
+    Field::optional("loopOffsets", IDS),
 ];
 
 impl Shaped for Budget {

@@ -1,7 +1,9 @@
 //! A plan and the search for it: the problem, the search, its budget and its result.
 
 use super::options::{Budget, PlanOptions};
-use super::{Baselines, JobError, Placed, WarmPath, common_cuts, joints, leads, problem_of, warm_path};
+use super::{
+    Baselines, JobError, Placed, WarmPath, common_cuts, corners, joints, leads, problem_of, warm_path,
+};
 use crate::finding::Finding;
 use crate::machine::Profile;
 use crate::plan::{self, LowerBound, Plan};
@@ -102,6 +104,7 @@ impl Run {
         let mut findings = common_cuts::findings(sheet, &problem);
         findings.extend(leads::findings(sheet, &machine, &problem));
         findings.extend(joints::findings(sheet, &machine, &problem));
+        findings.extend(corners::findings(&machine, &problem));
         let greedy = solve::greedy(&problem);
         let baselines = Baselines {
             drawing: summary(&solve::in_order(&problem, sheet.drawing_order())),

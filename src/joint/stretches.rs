@@ -27,6 +27,13 @@ pub struct Stretch {
     pub lead_out: usize,
 }
 
+impl Stretch {
+    /// The elements of the contour itself.
+    pub fn on(&self) -> std::ops::Range<usize> {
+        self.lead_in..self.path.len().saturating_sub(self.overcut + self.lead_out)
+    }
+}
+
 /// A contour divided by its joints.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Divided {

@@ -1,11 +1,11 @@
 //! Whether a cut that joins two contours lies in waste.
 
-use super::scrap::Scrap;
+use super::scrap::{Element, Scrap};
 use crate::geometry::{DVec2, Segment, distance};
 
 /// Least slope of the cut away from a contour that it joins: within the clearance of its ends it is at least this part of its
 /// length away from that contour, which is an angle of 14 degrees. The checker demands the same.
-const SLOPE: f64 = 0.25;
+pub(super) const SLOPE: f64 = 0.25;
 /// The cut is compared with its own contours piece by piece, and each piece by the distance that its far end needs. A smaller
 /// ratio of both ends would only add pieces: so the cut has to leave with up to 22 degrees.
 const RATIO: f64 = 1.5;
@@ -23,8 +23,8 @@ impl Scrap<'_> {
         self.index.visit(line.bounds().grown(self.reach()), |k| {
             let Some(element) = self.elements.get(k) else { return true };
             fits = match element.contour {
-                c if c == a => self.leaves(&line, &element.shape),
-                c if c == b => self.leaves(&back, &element.shape),
+                c if c == a => leaves(&line, element),
+                c if c == b => leaves(&back, element),
                 _ => distance(&line, &element.shape).0 >= element.least,
             };
             fits
@@ -37,25 +37,25 @@ impl Scrap<'_> {
     pub(crate) fn leads_in(&self, contour: u32, from: DVec2, to: DVec2) -> bool {
         self.joins([contour; 2], to, from)
     }
+}
 
-    /// Whether a line that begins at a contour gets away from an element of it.
-    fn leaves(&self, line: &Segment, shape: &Segment) -> bool {
-        let length = line.length();
-        let far = self.clearance() / SLOPE;
-        let keeps = |from: f64, to: f64, least: f64| {
-            distance(&line.piece(from / length, to / length), shape).0 >= least
-        };
-        if length > far && !keeps(far, length, self.clearance()) {
+/// Whether a line that begins at a contour gets away from an element of it.
+pub(super) fn leaves(line: &Segment, element: &Element) -> bool {
+    let length = line.length();
+    let far = element.least / SLOPE;
+    let keeps = |from: f64, to: f64, least: f64| {
+        distance(&line.piece(from / length, to / length), &element.shape).0 >= least
+    };
+    if length > far && !keeps(far, length, element.least) {
+        return false;
+    }
+    let mut end = far.min(length);
+    while end > JOINT {
+        let start = end / RATIO;
+        if !keeps(start, end, SLOPE * end) {
             return false;
         }
-        let mut end = far.min(length);
-        while end > JOINT {
-            let start = end / RATIO;
-            if !keeps(start, end, SLOPE * end) {
-                return false;
-            }
-            end = start;
-        }
-        true
+        end = start;
     }
+    true
 }

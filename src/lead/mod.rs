@@ -15,6 +15,7 @@ mod chain;
 mod findings;
 mod inscribed;
 mod ladder;
+mod loops;
 mod moving;
 mod planner;
 mod run;

@@ -81,11 +81,6 @@ impl<'s> Scrap<'s> {
         scrap
     }
 
-    /// Least distance from other contours, mm.
-    pub(super) fn clearance(&self) -> f64 {
-        self.clearance
-    }
-
     /// How far away contours matter, mm.
     pub(super) fn reach(&self) -> f64 {
         self.clearance + self.beside_drawn

@@ -2,6 +2,7 @@
 //!
 //! With all of them off, plans are what they were without them.
 
+use super::corners::Corners;
 use super::heat::Heat;
 use super::tips::Tips;
 use crate::fields::{Field, Kind, Range};
@@ -50,6 +51,9 @@ pub struct Levers {
     /// Cuts near each other follow each other no sooner than stated, or at a charge; `None`: heat does not matter.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heat: Option<Heat>,
+    /// Corners are cut in a loop through waste or rounded, where that saves time; `None`: the beam turns in them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corners: Option<Corners>,
 }
 
 /// Fly cuts: the head runs along a row of contours, or along the sides of a grid of them, without stopping, and the beam is
@@ -162,6 +166,7 @@ impl Levers {
             (self.common_cuts.is_some(), "common_cuts", "cuts what shares cuts together"),
             (self.tips.is_some(), "tips", "minds pieces that tip"),
             (self.heat.is_some(), "heat", "minds heat"),
+            (self.corners.is_some(), "corners", "cuts corners in loops or rounds them"),
         ];
         let on = not_in_core.into_iter().find(|lever| lever.0)?;
         (!PLANS_ALL_LEVERS).then_some((on.1, on.2))
@@ -176,6 +181,7 @@ impl Levers {
         Field::nullable("common_cuts", Kind::Object(SHARED)),
         Field::nullable("tips", Kind::Object(Tips::FIELDS)),
         Field::nullable("heat", Kind::Object(Heat::FIELDS)),
+        Field::nullable("corners", Kind::Object(Corners::FIELDS)),
     ];
 
     /// Whether moves go around pieces that may have tipped, or over them with the head lifted. Then the head is lifted for
@@ -216,8 +222,9 @@ impl Levers {
         });
         let tips = self.tips.iter().flat_map(Tips::numbers);
         let heat = self.heat.iter().flat_map(Heat::numbers);
+        let corners = self.corners.iter().flat_map(Corners::numbers);
         let motion = [lift, fly, chains].into_iter().flatten().flatten();
-        overcut.into_iter().chain(motion).chain(tips).chain(heat)
+        overcut.into_iter().chain(motion).chain(tips).chain(heat).chain(corners)
     }
 }
 

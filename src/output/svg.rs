@@ -12,7 +12,7 @@ use super::cuts::{Cut, closes, contour_cuts};
 use super::number::{Fixed, fixed};
 use super::sheet_facts::SheetFacts;
 use crate::geometry::{Aabb, DVec2, Segment, arcs};
-use crate::machine::Profile;
+use crate::machine::{CornerKind, Profile};
 use crate::plan::{Move, Plan};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -48,6 +48,7 @@ pub fn svg(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> String {
     style(&mut out, width);
     contours(&mut out, plan, sheet);
     leads(&mut out, plan);
+    loops(&mut out, plan);
     chains(&mut out, plan);
     joints(&mut out, plan, width);
     air(&mut out, plan, profile.home());
@@ -113,6 +114,29 @@ fn leads(out: &mut String, plan: &Plan) {
         part.iter().for_each(|segment| element(out, segment));
     }
     out.push_str("\"><title>Lead-ins, lead-outs, overcuts</title></path>\n");
+}
+
+/// Loops at corners.
+fn loops(out: &mut String, plan: &Plan) {
+    let of = |m: &Move| match m {
+        Move::Cut { path, turns, .. } => {
+            let loops = turns.iter().filter(|turn| turn.kind == CornerKind::Loop);
+            loops.map(|turn| turn.of(path).to_vec()).collect()
+        }
+        _ => Vec::new(),
+    };
+    let mut loops = plan.moves.iter().flat_map(of).filter(|path| !path.is_empty()).peekable();
+    if loops.peek().is_none() {
+        return;
+    }
+    out.push_str(
+        "<style>.loop{stroke:#1a8f5a}@media(prefers-color-scheme:dark){.loop{stroke:#5fd39b}}</style>\n<path class=\"loop\" d=\"",
+    );
+    for path in loops {
+        let _ = write!(out, "M{}", Point(path[0].start()));
+        path.iter().for_each(|segment| element(out, segment));
+    }
+    out.push_str("\"><title>Loops at corners</title></path>\n");
 }
 
 /// Cuts through waste that join contours.

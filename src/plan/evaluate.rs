@@ -4,9 +4,9 @@
 //! once. So it is with contours that are joined by chains, but the head stops at the ends of a chain.
 
 use super::air::AirMoves;
-use super::model::{Move, Summary, Way};
+use super::model::{Move, Summary, Turn, Way};
 use crate::geometry::{Aabb, DVec2, Segment};
-use crate::machine::{AirTime, Process, Profile, cut_time};
+use crate::machine::{AirTime, CornerKind, Process, Profile, cut_time};
 use crate::sheet::Sheet;
 use std::borrow::Cow;
 
@@ -142,7 +142,7 @@ impl<'a> Sums<'a> {
                 sum.joint_time += seconds + machine.pierce_time + machine.beam_delays();
                 self.head = to;
             }
-            Move::Cut { contour, with, path, leads, .. } => {
+            Move::Cut { contour, with, path, leads, turns, .. } => {
                 let Some(last) = path.last() else { return };
                 let [lead_in, _, overcut, lead_out] = leads.divide(path);
                 for contour in with.iter().chain([contour]).map(|&c| c as usize) {
@@ -154,6 +154,7 @@ impl<'a> Sums<'a> {
                 sum.cut_length += path.iter().map(Segment::length).sum::<f64>();
                 sum.lead_length +=
                     [lead_in, overcut, lead_out].into_iter().flatten().map(Segment::length).sum::<f64>();
+                turns.iter().for_each(|turn| add_turn(sum, turn, path));
                 if goes_on {
                     self.motion.extend(path);
                 } else {
@@ -201,4 +202,17 @@ impl<'a> Sums<'a> {
         }
         sum
     }
+}
+
+/// Adds a corner in which a cut does not stop.
+fn add_turn(sum: &mut Summary, turn: &Turn, path: &[Segment]) {
+    let elements = turn.of(path);
+    if turn.kind == CornerKind::Loop {
+        sum.loops += 1;
+        sum.loop_length += elements.iter().map(Segment::length).sum::<f64>();
+        return;
+    }
+    sum.rounded_corners += 1;
+    let off = elements.iter().map(|s| s.nearest(turn.at).1).fold(f64::INFINITY, f64::min).sqrt();
+    sum.corner_deviation = sum.corner_deviation.max(off);
 }

@@ -2,8 +2,9 @@
 
 use super::cooled::cooled;
 use super::evaluate::evaluate;
-use super::model::{Leads, Move, Plan};
+use super::model::{Leads, Move, Plan, Turn};
 use super::past_tipped::past_tipped;
+use crate::corner::{Corner, turned};
 use crate::geometry::{DVec2, Path, Segment};
 use crate::joint::{ContourJoints, Divided, Stretch, divided};
 use crate::lead::{Lead, Run, starts_moving};
@@ -47,7 +48,9 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
                 continue;
             };
             go(&mut moves, &mut head, entry);
-            over_joints(&mut moves, &problem.machine, contour, cut, joints.kind == JointKind::Flying);
+            let corners = item.map(|i| i.turns(stop.node)).unwrap_or_default();
+            let flying = joints.kind == JointKind::Flying;
+            over_joints(&mut moves, &problem.machine, contour, cut, flying, corners);
             head = moves.iter().rev().find_map(end_of_cut).unwrap_or(entry);
             continue;
         }
@@ -59,6 +62,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         };
         let (Some(start), Some(end)) = (path.first(), path.last()) else { continue };
         let (entry, exit) = (start.start(), end.end());
+        let (path, turns) = with_turns(path, leads, item.map(|i| i.turns(stop.node)).unwrap_or_default());
         if let Some(link) = link {
             link.via.iter().for_each(|&via| go(&mut moves, &mut head, via));
             moves.push(Move::Chain { path: vec![Segment::line(head, entry)] });
@@ -85,7 +89,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
             let back = !known.path.closed && !pass.is_multiple_of(2);
             let path = if back { Path::new(path.clone(), false).reversed().segments } else { path.clone() };
             moves.extend(start.clone());
-            run(&mut moves, &problem.machine, contour, path, leads, known.is_mark());
+            run(&mut moves, &problem.machine, contour, path, (leads, &turns), known.is_mark());
         }
         if lowered {
             moves.push(Move::Height { z: 0.0 });
@@ -128,12 +132,37 @@ fn lower(moves: &mut Vec<Move>, pass: u32, process: &Process) -> bool {
 }
 
 /// One pass over a contour, or a stretch of it, after the beam's start.
-fn run(moves: &mut Vec<Move>, machine: &Profile, contour: u32, path: Vec<Segment>, leads: Leads, mark: bool) {
+fn run(
+    moves: &mut Vec<Move>,
+    machine: &Profile,
+    contour: u32,
+    path: Vec<Segment>,
+    (leads, turns): (Leads, &[Turn]),
+    mark: bool,
+) {
     if mark {
-        moves.push(Move::Cut { contour, with: Vec::new(), path, mark, leads });
+        moves.push(Move::Cut { contour, with: Vec::new(), path, mark, leads, turns: Vec::new() });
         return;
     }
-    cut(moves, machine, &path, leads, |_| contour);
+    cut(moves, machine, &path, (leads, turns), |_| contour);
+}
+
+/// The elements of a cut with the corners that are cut in loops or rounded: all that may be, and which of them are.
+fn with_turns(
+    path: Vec<Segment>,
+    leads: Leads,
+    (corners, chosen): (&[Corner], &[usize]),
+) -> (Vec<Segment>, Vec<Turn>) {
+    if !PLANS_ALL_LEVERS || chosen.is_empty() {
+        return (path, Vec::new());
+    }
+    let on = leads.lead_in..path.len().saturating_sub(leads.overcut + leads.lead_out);
+    let (path, made) = turned(&path, on, corners, chosen);
+    let turns = made.into_iter().filter_map(|made| {
+        let corner = corners.get(made.corner)?;
+        Some(Turn { kind: corner.kind, at: corner.at, first: made.first, count: made.count })
+    });
+    (path, turns.collect())
 }
 
 /// The lead and the joints of a visit of a contour that has joints.
@@ -149,14 +178,23 @@ fn joints_of(problem: &Problem) -> u32 {
 }
 
 /// The stretches of a contour with joints, from its entry on.
-fn over_joints(moves: &mut Vec<Move>, machine: &Profile, contour: u32, divided: Divided, flying: bool) {
+fn over_joints(
+    moves: &mut Vec<Move>,
+    machine: &Profile,
+    contour: u32,
+    divided: Divided,
+    flying: bool,
+    corners: (&[Corner], &[usize]),
+) {
     let mut joints = divided.joints.into_iter();
     for (k, stretch) in divided.stretches.into_iter().enumerate() {
         if k == 0 || !flying {
             moves.push(Move::Pierce);
         }
         let Stretch { path, lead_in, overcut, lead_out } = stretch;
-        cut(moves, machine, &path, Leads { lead_in, overcut, lead_out }, |_| contour);
+        let leads = Leads { lead_in, overcut, lead_out };
+        let (path, turns) = with_turns(path, leads, corners);
+        cut(moves, machine, &path, (leads, &turns), |_| contour);
         if let Some(path) = joints.next() {
             moves.push(Move::Joint { contour, path, flying });
         }
@@ -194,7 +232,7 @@ fn through(
                 let path: Vec<Segment> = lead.take().into_iter().chain(path.iter().copied()).collect();
                 let lead_in = path.len() - (whose.len() + overcut).min(path.len());
                 let leads = Leads { lead_in, overcut: *overcut, ..Leads::default() };
-                cut(moves, machine, &path, leads, |element| {
+                cut(moves, machine, &path, (leads, &[]), |element| {
                     whose.get(element.saturating_sub(lead_in)).or(whose.last()).copied().unwrap_or_default()
                 });
                 head = path.last().map_or(head, Segment::end);
@@ -208,7 +246,7 @@ fn cut(
     moves: &mut Vec<Move>,
     machine: &Profile,
     path: &[Segment],
-    leads: Leads,
+    (leads, turns): (Leads, &[Turn]),
     whose: impl Fn(usize) -> u32,
 ) {
     let mut done = 0;
@@ -224,7 +262,10 @@ fn cut(
             }
         }
         let leads = leads.of_stretch(done, run.len(), path.len());
-        moves.push(Move::Cut { contour, with, path: run.to_vec(), mark: false, leads });
+        let here = |turn: &&Turn| (done..done + run.len()).contains(&turn.first);
+        let turns =
+            turns.iter().filter(here).map(|turn| Turn { first: turn.first - done, ..*turn }).collect();
+        moves.push(Move::Cut { contour, with, path: run.to_vec(), mark: false, leads, turns });
         done += run.len();
     }
 }

@@ -17,4 +17,4 @@ pub use from_solution::from_solution;
 pub use lower_bound::LowerBound;
 #[cfg(feature = "research")]
 pub use lower_bound::{Certificate, CertificateFault, Part, PricedCut, ShareBound, SharedLegs};
-pub use model::{Leads, Move, Plan, Summary, Way};
+pub use model::{Leads, Move, Plan, Summary, Turn, Way};

@@ -1,6 +1,7 @@
 //! The plan as data: the moves of the head in order, and their sums.
 
 use crate::geometry::{Affine, DVec2, Segment};
+use crate::machine::CornerKind;
 use serde::{Deserialize, Serialize};
 
 /// One move of the head. It starts where the previous one ended; the first starts at home.
@@ -80,6 +81,9 @@ pub enum Move {
         mark: bool,
         /// Which of the elements are not the contour, but its leads and its overcut.
         leads: Leads,
+        /// The corners that are cut in a loop or rounded, in order.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        turns: Vec<Turn>,
     },
 }
 
@@ -132,6 +136,43 @@ impl Move {
             | Self::Height { .. }
             | Self::Wait { .. } => None,
         }
+    }
+}
+
+/// A corner in which a cut does not stop.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Turn {
+    /// What is cut instead.
+    pub kind: CornerKind,
+    /// The corner, mm.
+    pub at: DVec2,
+    /// Number of the first element of the cut that is not the contour.
+    pub first: usize,
+    /// Number of these elements: those of a loop, or the arc that replaces the corner.
+    pub count: usize,
+}
+
+impl Turn {
+    /// The elements of it.
+    pub fn of<'p, T>(&self, path: &'p [T]) -> &'p [T] {
+        path.get(self.first..self.first.saturating_add(self.count)).unwrap_or_default()
+    }
+
+    /// The elements of a cut as if it turned in its corners: without loops, and with the corner drawn in place of every arc.
+    pub fn undone(path: &[Segment], turns: &[Self]) -> Vec<Segment> {
+        let mut out = Vec::with_capacity(path.len());
+        let mut done = 0;
+        for turn in turns {
+            let Some(before) = path.get(done..turn.first) else { continue };
+            let elements = turn.of(path);
+            out.extend_from_slice(before);
+            if let (CornerKind::Round, Some(a), Some(b)) = (turn.kind, elements.first(), elements.last()) {
+                out.extend([Segment::line(a.start(), turn.at), Segment::line(turn.at, b.end())]);
+            }
+            done = turn.first + elements.len();
+        }
+        out.extend_from_slice(path.get(done..).unwrap_or_default());
+        out
     }
 }
 
@@ -269,6 +310,22 @@ pub struct Summary {
     #[serde(default, skip_serializing_if = "crate::fields::is_zero")]
     #[cfg_attr(test, ts(as = "Option<f64>", optional))]
     pub skeleton_time: f64,
+    /// Number of corners that are cut in a loop through waste.
+    #[serde(default, skip_serializing_if = "is_none")]
+    #[cfg_attr(test, ts(as = "Option<u32>", optional))]
+    pub loops: u32,
+    /// The length of all loops, which is part of the length of cuts.
+    #[serde(default, skip_serializing_if = "crate::fields::is_zero")]
+    #[cfg_attr(test, ts(as = "Option<f64>", optional))]
+    pub loop_length: f64,
+    /// Number of corners that are rounded.
+    #[serde(default, skip_serializing_if = "is_none")]
+    #[cfg_attr(test, ts(as = "Option<u32>", optional))]
+    pub rounded_corners: u32,
+    /// The greatest distance of a rounded corner from the corner drawn, mm.
+    #[serde(default, skip_serializing_if = "crate::fields::is_zero")]
+    #[cfg_attr(test, ts(as = "Option<f64>", optional))]
+    pub corner_deviation: f64,
     /// Length of air moves.
     pub air_length: f64,
     /// Time along contours, by look-ahead over corners and acceleration. It includes the ways between cuts on the run, and chains.
@@ -340,10 +397,11 @@ impl Plan {
                     run(ahead);
                 }
                 Move::Macro { at, .. } => *at += shift,
-                Move::Cut { path, .. }
-                | Move::Joint { path, .. }
-                | Move::Fly { path }
-                | Move::Chain { path } => run(path),
+                Move::Cut { path, turns, .. } => {
+                    run(path);
+                    turns.iter_mut().for_each(|turn| turn.at += shift);
+                }
+                Move::Joint { path, .. } | Move::Fly { path } | Move::Chain { path } => run(path),
             }
         }
         let [x0, y0, x1, y1] = self.summary.bounds;

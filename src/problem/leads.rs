@@ -1,7 +1,9 @@
 //! The leads of an item: one for each of its nodes, with what it costs. An item with micro-joints has them as well, because
-//! the seconds of its cut depend on where it is entered: at a joint it has one stretch less.
+//! the seconds of its cut depend on where it is entered: at a joint it has one stretch less. So has one whose corners are cut in
+//! loops or rounded: at a corner it needs no loop there.
 
 use super::entries::entries;
+use crate::corner::{self, ContourCorners, Corner, turned};
 use crate::geometry::{DVec2, Segment};
 use crate::joint::{self, ContourJoints, Divided, Joint, divided};
 use crate::lead::{ContourLeads, Entry, Fit, Lead, Outcome, Planner, starts_moving};
@@ -16,6 +18,10 @@ const JOINT_APART: f64 = 1.5;
 pub struct ItemLeads {
     /// The lead of each node, and its seconds beyond those of the cheapest.
     leads: Vec<(Lead, f64)>,
+    /// The corners that may be cut in loops or rounded, and what has no room.
+    pub corners: ContourCorners,
+    /// Of each node, those of these corners that are; empty if there are none at all.
+    turns: Vec<Vec<usize>>,
     /// How well they fit; the default if the contour has no leads, but joints.
     pub outcome: Outcome,
 }
@@ -33,12 +39,13 @@ pub(super) struct Planners<'s> {
     machine: &'s Profile,
     pub(super) leads: Option<Planner<'s>>,
     pub(super) joints: Option<joint::Planner<'s>>,
+    corners: Option<corner::Planner<'s>>,
 }
 
 impl<'s> Planners<'s> {
     pub(super) fn new(sheet: &'s Sheet, machine: &'s Profile) -> Self {
         let (leads, joints) = (Planner::new(sheet, machine), joint::Planner::new(sheet, machine));
-        Self { sheet, machine, leads, joints }
+        Self { sheet, machine, leads, joints, corners: corner::Planner::new(sheet, machine) }
     }
 
     /// The joints of a contour, if it may have any.
@@ -48,8 +55,8 @@ impl<'s> Planners<'s> {
 }
 
 impl ItemLeads {
-    /// The leads of a contour with the nodes that they make, and the seconds of the cheapest; `None` if it has neither leads
-    /// nor joints.
+    /// The leads of a contour with the nodes that they make, and the seconds of the cheapest; `None` if it has no leads, no
+    /// joints, and no corners that are cut otherwise.
     pub(super) fn new(
         planners: &Planners,
         id: u32,
@@ -66,8 +73,14 @@ impl ItemLeads {
             Some(_) => p.leads_at_rest(id, &places, None),
         });
         let joints = joints.filter(|j| !j.joints.is_empty());
+        let corners = planners.corners.as_ref().and_then(|p| p.corners(id)).unwrap_or_default();
+        let bare = found.is_none() && joints.is_none();
         let (entries, outcome) = match (found, joints) {
-            (None, None) => return None,
+            (None, None) if corners == ContourCorners::default() => return None,
+            (None, None) => (
+                places.iter().map(|&along| Entry { along, lead: Lead::default() }).collect(),
+                Outcome::default(),
+            ),
             (Some(ContourLeads { entries, outcome }), None) => (entries, outcome),
             (found, Some(joints)) => with_joints(planners, id, contour, &places, found, joints),
         };
@@ -75,8 +88,12 @@ impl ItemLeads {
         let (joints, kind) = joints.map_or((&[][..], JointKind::Stop), |j| (j.joints.as_slice(), j.kind));
         let mut nodes = Vec::with_capacity(entries.len());
         let mut leads = Vec::with_capacity(entries.len());
+        let mut turns = Vec::new();
         for Entry { along, lead } in entries {
-            let cut = divided(&lead, &contour.path, along, joints);
+            let mut cut = divided(&lead, &contour.path, along, joints);
+            if !corners.corners.is_empty() {
+                turns.push(turn(machine, &process, &mut cut, &corners.corners));
+            }
             let (first, last) = (cut.stretches.first()?, cut.stretches.last()?);
             let (entry, exit) = (first.path.first()?.start(), last.path.last().map(Segment::end)?);
             nodes.push(LeadNode { along, entry, exit });
@@ -84,12 +101,14 @@ impl ItemLeads {
         }
         let least = leads.iter().map(|l| l.1).fold(f64::INFINITY, f64::min);
         leads.iter_mut().for_each(|l| l.1 -= least);
-        (!nodes.is_empty()).then_some((Self { leads, outcome }, nodes, least))
+        // Where no corner saves time, the contour is as it would be without them.
+        let plain = bare && corners.without_room.is_empty() && turns.iter().all(Vec::is_empty);
+        (!plain && !nodes.is_empty()).then_some((Self { leads, corners, turns, outcome }, nodes, least))
     }
 
     /// Leads that no rule asks for.
     pub(super) fn without_rules(leads: Vec<(Lead, f64)>) -> Self {
-        Self { leads, outcome: Outcome::default() }
+        Self { leads, corners: ContourCorners::default(), turns: Vec::new(), outcome: Outcome::default() }
     }
 
     /// Whether the contour's cut begins moving: its leads have one overcut.
@@ -97,10 +116,27 @@ impl ItemLeads {
         starts_moving(sheet, machine, contour, self.leads.first().map(|l| &l.0))
     }
 
+    /// The corners that a cut from a node does not stop in, by its place in the item: all that may be cut so, and which are.
+    pub(super) fn turns(&self, node: usize) -> (&[Corner], &[usize]) {
+        (&self.corners.corners, self.turns.get(node).map_or(&[], Vec::as_slice))
+    }
+
     /// The lead of a node, by its place in the item.
     pub(super) fn get(&self, node: usize) -> Option<(&Lead, f64)> {
         self.leads.get(node).map(|(lead, seconds)| (lead, *seconds))
     }
+}
+
+/// Cuts those corners of each stretch otherwise that save time; returns which these are.
+fn turn(machine: &Profile, process: &Process, cut: &mut Divided, corners: &[Corner]) -> Vec<usize> {
+    let mut all = Vec::new();
+    for stretch in &mut cut.stretches {
+        let on = stretch.on();
+        let chosen = corner::chosen(machine, process, &stretch.path, on.clone(), corners);
+        stretch.path = turned(&stretch.path, on, corners, &chosen).0;
+        all.extend(chosen);
+    }
+    all
 }
 
 /// Seconds of a cut with its joints, without the first piercing.

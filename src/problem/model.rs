@@ -13,6 +13,7 @@ use super::leads::ItemLeads;
 use super::links::Links;
 use super::sub_path::SubPath;
 use super::table::Table;
+use crate::corner::Corner;
 use crate::geometry::Path;
 use crate::heat::Cooling;
 use crate::joint::ContourJoints;
@@ -96,6 +97,12 @@ impl Item {
     /// The lead of one of its nodes, and its seconds beyond [`Item::fixed`]; none for an item without leads.
     pub fn lead(&self, node: NodeId) -> Option<(&Lead, f64)> {
         self.leads.as_ref()?.get(node.checked_sub(self.nodes.start)? as usize)
+    }
+
+    /// The corners of a cut from one of its nodes that are cut in loops or rounded: all that may be, and which of them are.
+    pub fn turns(&self, node: NodeId) -> (&[Corner], &[usize]) {
+        let of = node.checked_sub(self.nodes.start).zip(self.leads.as_ref());
+        of.map_or((&[], &[]), |(node, leads)| leads.turns(node as usize))
     }
 
     /// Whether it may be left unfinished for other items.

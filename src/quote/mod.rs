@@ -30,6 +30,7 @@ pub use times::Times;
 use crate::fields::FieldError;
 use crate::geometry::Segment;
 use crate::output::{json_text, sha256};
+use crate::plan::Turn;
 use crate::plan::document::{Document, Stroke, strokes};
 use shape::Shape;
 
@@ -59,11 +60,12 @@ fn shapes(document: &Document) -> Vec<Shape> {
     // The length that is still missing; further passes over a contour add nothing to its line.
     let mut missing: Vec<f64> = document.contours.iter().map(|c| c.length).collect();
     for stroke in strokes(document) {
-        if let Stroke::Beam { contour: Some(id), path, leads } = stroke
+        if let Stroke::Beam { contour: Some(id), path, leads, turns } = stroke
             && let (Some(shape), Some(missing)) = (shapes.get_mut(id as usize), missing.get_mut(id as usize))
             && (document.contours[id as usize].passes == 1
                 || *missing > 0.5 * document.contours[id as usize].length)
         {
+            let path = Turn::undone(&path, &turns);
             let on = leads.divide(&path)[1];
             *missing -= on.iter().map(Segment::length).sum::<f64>();
             shape.add(on);

@@ -1,7 +1,7 @@
-//! What a person decided for single contours: the number of micro-joints, and the lead.
+//! What a person decided for single contours: the number of micro-joints, the lead, and the corners.
 
 use super::model::{ContourChoice, Sheet};
-use crate::machine::{LeadKind, Profile};
+use crate::machine::{CornerKind, LeadKind, Profile};
 use crate::order::sort_by;
 
 /// Least distance of leads from what is not scrap, mm, on a machine that says none: as the rules of the package have it.
@@ -31,6 +31,16 @@ impl Sheet {
         self.choice(contour)?.lead
     }
 
+    /// Whether a person asks for loops at corners, or for rounded ones.
+    pub(crate) fn asks_for_corners(&self) -> bool {
+        self.choices.iter().any(|c| c.corners.is_some_and(|kind| kind != CornerKind::Stop))
+    }
+
+    /// What a person asks for at the corners of a contour.
+    pub(crate) fn chosen_corners(&self, contour: u32) -> Option<CornerKind> {
+        self.choice(contour)?.corners
+    }
+
     /// Whether anything asks for micro-joints: a rule of the machine, or a person.
     pub(crate) fn asks_for_joints(&self, machine: &Profile) -> bool {
         machine.joints.as_ref().is_some_and(|j| !j.rules.is_empty())
@@ -56,7 +66,8 @@ mod tests {
 
     #[test]
     fn the_last_choice_for_a_contour_counts() {
-        let choice = |contour, joints| ContourChoice { contour, joints: Some(joints), lead: None };
+        let choice =
+            |contour, joints| ContourChoice { contour, joints: Some(joints), lead: None, corners: None };
         let all = by_contour(&[choice(3, 1), choice(1, 2), choice(3, 4)]);
         assert_eq!(all, [choice(1, 2), choice(3, 4)]);
     }

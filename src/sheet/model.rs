@@ -3,7 +3,7 @@
 use super::groups::PierceGroup;
 use crate::finding::Finding;
 use crate::geometry::{Aabb, Path};
-use crate::machine::{LeadKind, Settings};
+use crate::machine::{CornerKind, LeadKind, Settings};
 use crate::order::sort_by;
 use serde::{Deserialize, Serialize};
 
@@ -126,6 +126,9 @@ pub struct ContourChoice {
     /// The form of its lead-in, with the sizes of the rule that fits it; `none`: neither lead-in nor lead-out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lead: Option<LeadKind>,
+    /// What is done at its corners, with the sizes of the machine's `levers.corners`, which it has to have.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub corners: Option<CornerKind>,
 }
 
 /// A micro-joint that a person placed on a contour. The joints of a contour that has such ones are these and no others.

@@ -46,6 +46,8 @@ pub(super) fn path(p: &BestPath) -> Result<JsValue, JsError> {
         ("leadOffsets", Uint32Array::from(p.leads.offsets.as_slice()).into()),
         ("joints", Float64Array::from(p.joints.segments.as_slice()).into()),
         ("jointOffsets", Uint32Array::from(p.joints.offsets.as_slice()).into()),
+        ("loops", Float64Array::from(p.loops.segments.as_slice()).into()),
+        ("loopOffsets", Uint32Array::from(p.loops.offsets.as_slice()).into()),
         ("preCuts", Float64Array::from(p.pre_cuts.as_slice()).into()),
         ("pauses", Float64Array::from(p.pauses.as_slice()).into()),
         ("ways", Uint8Array::from(p.ways.as_slice()).into()),

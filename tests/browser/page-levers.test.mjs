@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { circle, dxf, square } from '../package/support.mjs';
+import { circle, dxf, polygon, square } from '../package/support.mjs';
 import { machineSection, openPlanned, output, plan, replanned, shot, SIZES } from './page-support.mjs';
 
 const DRAWING = dxf([...square(20, 20, 40), ...square(80, 20, 40), ...square(30, 30, 15)]);
@@ -121,5 +121,30 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
     assert.ok(await machine.getByLabel('Begin cuts moving').isDisabled());
     await replanned(page, () => chains.uncheck());
     assert.equal((await plan(page)).summary.chains, undefined);
+  });
+}
+
+const WEDGES = dxf(...[20, 70, 120].map((x) => polygon([[x, 20], [x + 30, 20], [x + 15, 46]])));
+
+for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
+  test(`corners are cut in loops or rounded, by rule and by hand, ${size}, ${theme}`, async (t) => {
+    const page = await openPlanned(t, 'fibre-6kw-plate', 'wedges.dxf', WEDGES, { size: SIZES[size], theme, touch: size === 'phone' });
+    const machine = await machineSection(page, SIZES[size]);
+    const corners = machine.getByLabel('Do not stop in corners');
+    await replanned(page, () => corners.check());
+    await replanned(page, () => machine.getByLabel('Radius of loops').fill('1'));
+    await corners.scrollIntoViewIfNeeded();
+    await shot(page, `corners-${size}-${theme}`);
+    if (size === 'phone') return;
+    const looped = await plan(page);
+    assert.deepEqual(looped.machine.levers.corners, { outer: 'loop', hole: 'stop', loop_radius: 1, clearance: 1, round_radius: 1, deviation: 0.1 });
+    assert.equal(looped.summary.loops, 6);
+    await page.locator('dt.loops').waitFor();
+    await replanned(page, () => machine.getByLabel('Corners of parts').selectOption({ label: 'rounded' }));
+    const rounded = await plan(page);
+    assert.ok(rounded.summary.rounded_corners >= 6 && rounded.summary.loops === undefined, JSON.stringify(rounded.summary));
+    await page.locator('dt.rounded').waitFor();
+    await replanned(page, () => corners.uncheck());
+    assert.equal((await plan(page)).machine.levers, undefined);
   });
 }

@@ -442,6 +442,7 @@ fn the_checker_finds_wrong_cuts_on_the_run() {
             path: first,
             mark: false,
             leads: plan::Leads::default(),
+            turns: vec![],
         };
     });
     assert!(!found.is_empty());

@@ -24,15 +24,19 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("sheet", &["drawing", "machine"]),
     ("lead", &["machine", "sheet"]),
     ("joint", &["machine", "sheet", "lead"]),
+    ("corner", &["machine", "sheet", "lead"]),
     ("tipping", &["machine"]),
     ("heat", &["machine"]),
-    ("problem", &["machine", "sheet", "lead", "joint", "tipping", "heat"]),
+    ("problem", &["machine", "sheet", "lead", "joint", "corner", "tipping", "heat"]),
     // Solvers know no drawing: neither `drawing` nor `sheet`.
     ("solve", &["machine", "problem", "tipping", "heat"]),
     // The plan model knows neither how a plan was found nor who checks it.
     ("plan/model", &["drawing", "machine", "sheet"]),
     ("plan/document", &["drawing", "machine", "sheet", "plan/model"]),
-    ("plan", &["drawing", "machine", "sheet", "lead", "joint", "problem", "solve", "tipping", "heat"]),
+    (
+        "plan",
+        &["drawing", "machine", "sheet", "lead", "joint", "corner", "problem", "solve", "tipping", "heat"],
+    ),
     // Output and quote know no solver.
     ("output", &["drawing", "machine", "sheet", "plan"]),
     ("calibration", &["machine", "sheet", "plan"]),
@@ -40,8 +44,8 @@ const ALLOWED: &[(&str, &[&str])] = &[
     (
         "job",
         &[
-            "drawing", "dxf", "svg", "machine", "sheet", "lead", "joint", "problem", "solve", "plan",
-            "output", "quote",
+            "drawing", "dxf", "svg", "machine", "sheet", "lead", "joint", "corner", "problem", "solve",
+            "plan", "output", "quote",
         ],
     ),
     (

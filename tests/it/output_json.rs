@@ -10,7 +10,7 @@
 use glam::DVec2;
 use kerfway::geometry::{Arc, Path, Segment};
 use kerfway::job::OutputKind;
-use kerfway::plan::{Leads, Move};
+use kerfway::plan::{Leads, Move, Turn};
 use kerfway::sheet::Operation;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
@@ -170,7 +170,14 @@ fn moves(document: &Value) -> Vec<Move> {
             let count = |name: &str| usize::try_from(m[name].as_u64().unwrap_or(0)).unwrap();
             let leads =
                 Leads { lead_in: count("lead_in"), overcut: count("overcut"), lead_out: count("lead_out") };
-            Move::Cut { contour, with, path, mark, leads }
+            let turn = |c: &Value| Turn {
+                kind: serde_json::from_value(c["kind"].clone()).unwrap(),
+                at: point(&c["at"]),
+                first: usize::try_from(c["first"].as_u64().unwrap()).unwrap(),
+                count: usize::try_from(c["count"].as_u64().unwrap()).unwrap(),
+            };
+            let turns = m["corners"].as_array().into_iter().flatten().map(turn).collect();
+            Move::Cut { contour, with, path, mark, leads, turns }
         }
         other => panic!("{other}"),
     };

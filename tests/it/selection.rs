@@ -140,7 +140,7 @@ fn joints_of(plan: &Plan, contour: u32) -> usize {
 #[test]
 fn a_number_of_joints_is_chosen_for_single_contours_with_and_without_rules_of_the_machine() {
     let parts = far_parts(planned(LoadOptions::default()).0.sheet());
-    let choice = |contour, joints| ContourChoice { contour, joints: Some(joints), lead: None };
+    let choice = |contour, joints| ContourChoice { contour, joints: Some(joints), lead: None, corners: None };
     let contours = vec![choice(parts[0], 3), choice(parts[1], 0)];
     let load = LoadOptions { contours: contours.clone(), ..LoadOptions::default() };
     let (_, plan) = planned(load.clone());
@@ -184,7 +184,7 @@ fn leads_of(plan: &Plan, contour: u32) -> [usize; 2] {
 #[test]
 fn a_lead_is_chosen_for_single_contours_with_and_without_rules_of_the_machine() {
     let parts = far_parts(planned(LoadOptions::default()).0.sheet());
-    let choice = |contour, kind| ContourChoice { contour, joints: None, lead: Some(kind) };
+    let choice = |contour, kind| ContourChoice { contour, joints: None, lead: Some(kind), corners: None };
     let contours = vec![choice(parts[0], LeadKind::LineArc), choice(parts[1], LeadKind::None)];
     let load = LoadOptions { contours, ..LoadOptions::default() };
     let (_, plan) = planned(load.clone());

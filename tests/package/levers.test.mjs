@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
 import { Ajv2020 } from 'ajv/dist/2020.js';
 import { createPlanner, LEVERS, leverSavings, withoutLever } from 'kerfway';
-import { circle, dxf, folder, kerfway, line, square } from './support.mjs';
+import { circle, dxf, folder, kerfway, line, polygon, square } from './support.mjs';
 
 const schema = createRequire(import.meta.url).resolve('kerfway/plan.schema.json');
 const validate = new Ajv2020({ allErrors: true }).compile(JSON.parse(readFileSync(schema, 'utf8')));
@@ -281,7 +281,7 @@ describe('what each lever saves', () => {
     const all = await total(machine);
     const saved = [];
     for await (const one of leverSavings(planner, { machine, seed: 1, moves: 20_000 }, all)) saved.push(one);
-    assert.deepEqual(saved.map((s) => s.lever), LEVERS.filter((lever) => lever !== 'avoid-tips' && lever !== 'heat' && lever !== 'chains' && lever !== 'edge-starts' && lever !== 'common-cuts'));
+    assert.deepEqual(saved.map((s) => s.lever), LEVERS.filter((lever) => lever !== 'avoid-tips' && lever !== 'heat' && lever !== 'chains' && lever !== 'edge-starts' && lever !== 'common-cuts' && lever !== 'corners'));
     for (const { lever, seconds } of saved) assert.equal(seconds, (await total(withoutLever(machine, lever))) - all, lever);
     const by = Object.fromEntries(saved.map((s) => [s.lever, s.seconds]));
     // Two holes more begin at rest, and so does nothing else: the outline has joints, and the line is open.
@@ -434,5 +434,75 @@ describe('heat', () => {
       const wrong = await plan(...words);
       assert.deepEqual([wrong.code, says.test(wrong.stderr)], [2, true], wrong.stderr);
     }
+  });
+});
+
+describe('corners', () => {
+  // Three wedges of 60 degrees, 20 mm apart, and a plate with a square hole.
+  const wedge = (x) => polygon([[x, 20], [x + 30, 20], [x + 15, 20 + 15 * Math.sqrt(3)]]);
+  const DRAWING = dxf(wedge(20), wedge(70), wedge(120), square(180, 20, 60), square(200, 40, 20));
+  const CORNERS = { outer: 'loop', hole: 'round', loop_radius: 1 };
+  let planner, plate;
+  before(async () => {
+    planner = await createPlanner();
+    plate = { ...planner.machines.find((m) => m.name === 'fibre-6kw-plate'), pre_cut_time: null, pre_cut_length: 0 };
+  });
+  after(() => planner.close());
+
+  const options = (levers) => ({ machine: { ...plate, levers }, seed: 1, moves: 50_000 });
+  const planned = async (levers, load = {}) => {
+    await planner.load(DRAWING, 'wedges.dxf', load);
+    await planner.plan(options(levers)).done;
+    return { ...JSON.parse(await planner.output('json')), check: await planner.check(), quote: await planner.quote(), svg: await planner.output('svg') };
+  };
+
+  it('are cut in loops or rounded, and the result says how many and how far off', async () => {
+    const [before, now] = [await planned({}), await planned({ corners: CORNERS })];
+    for (const { check } of [before, now]) assert.deepEqual([check.passed, check.problems], [true, []]);
+    const corners = now.moves.flatMap((m) => m.corners ?? []);
+    const of = (kind) => corners.filter((c) => c.kind === kind).length;
+    assert.deepEqual([of('loop'), of('round')], [now.summary.loops, now.summary.rounded_corners ?? 0]);
+    assert.ok(now.summary.loops >= 6 && now.summary.rounded_corners >= 3, JSON.stringify(now.summary));
+    assert.ok(Math.abs(now.summary.corner_deviation - 0.1) < 1e-9);
+    assert.deepEqual([before.summary.macro_time, now.summary.macro_time], [6, 0]);
+    assert.ok(before.summary.total_time - now.summary.total_time > 3);
+    assert.match(now.svg, /Loops at corners/);
+    // Parts have the area and the outline that was drawn, and together all of the time.
+    const facts = ({ quote: { parts } }) => parts.map((p) => [p.contours, p.area]);
+    assert.deepEqual(facts(now), facts(before));
+  });
+
+  it('are chosen for single contours, on a machine that says how', async () => {
+    const chosen = await planned({ corners: {} }, { contours: [{ contour: 0, corners: 'loop' }] });
+    assert.deepEqual(chosen.moves.filter((m) => m.corners).map((m) => m.contour), [0]);
+    await planner.load(DRAWING, 'wedges.dxf', { contours: [{ contour: 0, corners: 'loop' }] });
+    await assert.rejects(planner.plan(options({})).done, /The corners of contour 0 are to be cut without a stop, but the machine fibre-6kw-plate has no "levers.corners"/);
+    await assert.rejects(planner.load(DRAWING, 'wedges.dxf', { contours: [{ contour: 0, corners: 'curl' }] }), /stop, loop, round/);
+  });
+
+  it('are among the savings', async () => {
+    await planner.load(DRAWING, 'wedges.dxf');
+    const { progress } = await planner.plan(options({ corners: CORNERS })).done;
+    const saved = [];
+    for await (const one of leverSavings(planner, options({ corners: CORNERS }), progress.summary.total_time)) saved.push(one);
+    assert.deepEqual([saved.map((s) => s.lever), saved[0].seconds > 3], [['corners'], true]);
+  });
+
+  it('are options of the command line', async (t) => {
+    const at = folder(t);
+    const [file, json] = [join(at, 'wedges.dxf'), join(at, 'wedges.json')];
+    writeFileSync(file, DRAWING);
+    const plan = (...words) => kerfway('plan', file, '--machine', 'fibre-6kw-plate', '--moves', '5000', '--seed', '1', '--json', json, ...words);
+    const levers = () => JSON.parse(readFileSync(json, 'utf8')).machine.levers;
+    const defaults = { outer: 'stop', hole: 'stop', loop_radius: 2, clearance: 1, round_radius: 1, deviation: 0.1 };
+    const ran = await plan('--corners', 'loop', '--hole-corners', 'round', '--loop-radius', '1', '--loop-clearance', '0.5', '--round-radius', '3', '--corner-deviation', '0.2');
+    assert.equal(ran.code, 0, ran.stderr);
+    assert.deepEqual(levers().corners, { outer: 'loop', hole: 'round', loop_radius: 1, clearance: 0.5, round_radius: 3, deviation: 0.2 });
+    const single = await plan('--corners-of', '1=round');
+    assert.equal(single.code, 0, single.stderr);
+    assert.deepEqual(levers().corners, defaults);
+    assert.deepEqual(JSON.parse(readFileSync(json, 'utf8')).options.contours, [{ contour: 1, corners: 'round' }]);
+    const wrong = await plan('--corners', 'curl');
+    assert.deepEqual([wrong.code, /choose one of stop, loop, round/.test(wrong.stderr)], [2, true], wrong.stderr);
   });
 });

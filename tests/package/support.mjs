@@ -62,6 +62,8 @@ export const line = (x0, y0, x1, y1, layer = '0') => [
   [0, 'LINE'], [8, layer], [10, x0], [20, y0], [11, x1], [21, y1],
 ];
 export const circle = (x, y, r, layer = '0') => [[0, 'CIRCLE'], [8, layer], [10, x], [20, y], [40, r]];
+/** A closed outline through some points. */
+export const polygon = (points, layer = '0') => points.flatMap(([x, y], k) => line(x, y, ...points[(k + 1) % points.length], layer));
 export const square = (x, y, side, layer = '0') => [
   ...line(x, y, x + side, y, layer),
   ...line(x + side, y, x + side, y + side, layer),

@@ -92,6 +92,7 @@ pub(crate) fn plan_of(stops: Vec<Stop>, layers: &[(&str, i16)], profile: &Profil
             path: stop.path.segments.clone(),
             mark,
             leads: Leads::default(),
+            turns: vec![],
         });
         at = to;
         contours.push(Contour {

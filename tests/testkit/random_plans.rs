@@ -71,6 +71,7 @@ fn left_for_others(plan: &Plan, rng: &mut impl Rng) -> Plan {
             path,
             mark: false,
             leads: Leads::default(),
+            turns: vec![],
         };
         let (cut, f) = (&path[at], rng.random_range(0.2..0.8));
         let first: Vec<Segment> = path[..at].iter().copied().chain([cut.piece(0.0, f)]).collect();

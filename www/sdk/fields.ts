@@ -1402,6 +1402,95 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
                       "name": "heat",
                       "nullable": true,
                       "required": false
+                    },
+                    {
+                      "kind": {
+                        "object": [
+                          {
+                            "kind": {
+                              "choice": [
+                                "stop",
+                                "loop",
+                                "round"
+                              ]
+                            },
+                            "name": "outer",
+                            "nullable": false,
+                            "required": false
+                          },
+                          {
+                            "kind": {
+                              "choice": [
+                                "stop",
+                                "loop",
+                                "round"
+                              ]
+                            },
+                            "name": "hole",
+                            "nullable": false,
+                            "required": false
+                          },
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.05,
+                                "most": 100.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "waste beside parts is not wider"
+                              }
+                            },
+                            "name": "loop_radius",
+                            "nullable": false,
+                            "required": false
+                          },
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.0,
+                                "most": 100.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "loops keep away from everything that is not waste"
+                              }
+                            },
+                            "name": "clearance",
+                            "nullable": false,
+                            "required": false
+                          },
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.05,
+                                "most": 100.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "waste beside parts is not wider"
+                              }
+                            },
+                            "name": "round_radius",
+                            "nullable": false,
+                            "required": false
+                          },
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.001,
+                                "most": 10.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "a corner rounded by more is not the corner drawn"
+                              }
+                            },
+                            "name": "deviation",
+                            "nullable": false,
+                            "required": false
+                          }
+                        ]
+                      },
+                      "name": "corners",
+                      "nullable": true,
+                      "required": false
                     }
                   ]
                 },
@@ -2486,6 +2575,38 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
               "name": "waits",
               "nullable": false,
               "required": false
+            },
+            {
+              "kind": {
+                "list": {
+                  "number": {
+                    "least": -1000000000.0,
+                    "most": 1000000000.0,
+                    "or_zero": false,
+                    "unit": "mm",
+                    "why": "no contour is longer than 1,000 km"
+                  }
+                }
+              },
+              "name": "loops",
+              "nullable": false,
+              "required": false
+            },
+            {
+              "kind": {
+                "list": {
+                  "whole": {
+                    "least": 0.0,
+                    "most": 4294967295.0,
+                    "or_zero": false,
+                    "unit": "",
+                    "why": "contours are counted from 0"
+                  }
+                }
+              },
+              "name": "loopOffsets",
+              "nullable": false,
+              "required": false
             }
           ]
         },
@@ -3020,6 +3141,18 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
                   ]
                 },
                 "name": "lead",
+                "nullable": true,
+                "required": false
+              },
+              {
+                "kind": {
+                  "choice": [
+                    "stop",
+                    "loop",
+                    "round"
+                  ]
+                },
+                "name": "corners",
                 "nullable": true,
                 "required": false
               }

@@ -105,6 +105,10 @@ export interface BestPath {
   viaOf: Uint32Array;
   /** The contours that bound pieces which may tip once they are cut. */
   tips: Uint32Array;
+  /** The elements of loops at corners, seven numbers each as in `Geometry.segments`. */
+  loops: Float64Array;
+  /** Where each loop begins among the elements. */
+  loopOffsets: Uint32Array;
   /** Seconds that the head waits before each stop until what was cut nearby has cooled; empty if it never does. */
   waits: Float64Array;
 }

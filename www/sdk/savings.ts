@@ -4,8 +4,8 @@
 
 import type { MachineProfile, PlanOptions } from './protocol.js';
 
-/** What can be left out of a machine: piercing in motion, cuts on the run, chains, starts on a kerf, cutting what shares cuts together, lifting on the way, staying down on short moves, avoiding pieces that tip instead of lifting for every move, minding heat, which costs more than it saves, joints without a stop. */
-export const LEVERS = ['moving-pierce', 'fly', 'chains', 'edge-starts', 'common-cuts', 'lift-on-the-way', 'stay-down', 'avoid-tips', 'heat', 'flying-joints'] as const;
+/** What can be left out of a machine: piercing in motion, cuts on the run, chains, starts on a kerf, cutting what shares cuts together, lifting on the way, staying down on short moves, avoiding pieces that tip instead of lifting for every move, minding heat, which costs more than it saves, corners in which the beam does not stop, joints without a stop. */
+export const LEVERS = ['moving-pierce', 'fly', 'chains', 'edge-starts', 'common-cuts', 'lift-on-the-way', 'stay-down', 'avoid-tips', 'heat', 'corners', 'flying-joints'] as const;
 /** The name of a lever that can be left out. */
 export type Lever = (typeof LEVERS)[number];
 
@@ -24,7 +24,7 @@ export interface Replanner {
 
 /** A machine without one of its levers; `null` if it does not have it. */
 export function withoutLever(machine: MachineProfile, lever: Lever): MachineProfile | null {
-  const { moving_pierce, lift, fly, chains, common_cuts, tips, heat } = machine.levers ?? {};
+  const { moving_pierce, lift, fly, chains, common_cuts, tips, heat, corners } = machine.levers ?? {};
   const avoids = tips != null && tips.risky_moves !== 'ignore';
   switch (lever) {
     case 'moving-pierce': return moving_pierce == null ? null : levered(machine, { moving_pierce: undefined });
@@ -38,6 +38,7 @@ export function withoutLever(machine: MachineProfile, lever: Lever): MachineProf
     case 'avoid-tips': return lift == null || !avoids ? null : levered(machine, { tips: undefined, lift: { ...lift, stay_down: 0 } });
     // The seconds are negative: what minding heat costs.
     case 'heat': return heat == null ? null : levered(machine, { heat: undefined });
+    case 'corners': return corners == null ? null : levered(machine, { corners: undefined });
     case 'flying-joints': {
       const rules = machine.joints?.rules ?? [];
       return rules.some((rule) => rule.kind === 'flying') ? { ...machine, joints: { rules: rules.map((rule) => ({ ...rule, kind: 'stop' })) } } : null;

@@ -33,7 +33,7 @@ export interface Host {
 }
 
 /** Levers of a machine that the core leaves out: `Levers::not_in_this_build` in the planner refuses them there. */
-const NOT_IN_CORE = ['fly', 'chains', 'common_cuts', 'tips', 'heat'] as const;
+const NOT_IN_CORE = ['fly', 'chains', 'common_cuts', 'tips', 'heat', 'corners'] as const;
 /** Bytes at the start of a file by which SVG is recognised. */
 const HEAD = 16_384;
 /** Default width of a picture, in pixels. */
@@ -326,7 +326,7 @@ function panicOf(build: { lastPanic(): string | undefined }): string | undefined
 }
 
 function pathBuffers({ path }: { path: import('./protocol.js').BestPath | null }): ArrayBuffer[] {
-  return path === null ? [] : buffers([path.contours, path.points, path.along, path.until, path.reversed, path.times, path.leads, path.leadOffsets, path.joints, path.jointOffsets, path.preCuts, path.pauses, path.ways, path.via, path.viaOf, path.tips, path.waits]);
+  return path === null ? [] : buffers([path.contours, path.points, path.along, path.until, path.reversed, path.times, path.leads, path.leadOffsets, path.joints, path.jointOffsets, path.preCuts, path.pauses, path.ways, path.via, path.viaOf, path.tips, path.waits, path.loops, path.loopOffsets]);
 }
 
 function buffers(arrays: ArrayBufferView[]): ArrayBuffer[] {

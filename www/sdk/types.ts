@@ -19,6 +19,7 @@ export { jobReport, type ReportInput } from './job-report.js';
 export { ENGLISH as ENGLISH_REPORT, type ReportText, type ReportWords } from './report-text.js';
 export { isProject, readProject, writeProject, type Project, type SavedPlan } from './project.js';
 export { DEFAULT_JOINTS, JOINT_KINDS, JOINT_SIDES, SIZE_TESTS, jointRules, jointSettings, type JointPattern, type JointSide } from './joints.js';
+export { CORNER_KINDS } from './corners.js';
 export { DEFAULT_LEADS, LEAD_KINDS, LEAD_POSITIONS, leadRules, leadSettings, type LeadChoice } from './leads.js';
 export { LEVERS, leverSavings, withoutLever, type Lever, type LeverSaving, type Replanner } from './savings.js';
 export { activeContours } from './contours.js';

@@ -7,6 +7,7 @@
 mod frame;
 
 use crate::geometry::{Aabb, Arc, Segment, arcs, math};
+use crate::machine::CornerKind;
 use crate::plan::document::{Document, Stroke as Drawn, strokes};
 use crate::sheet::Operation;
 use frame::Frame;
@@ -83,11 +84,13 @@ fn draw(pixels: &mut Pixmap, document: &Document, strokes: &[Drawn], frame: &Fra
             Drawn::Fly { path } => trace(&mut air, frame, path),
             Drawn::Chain { path } => trace(&mut leads, frame, path),
             Drawn::Joint { path, .. } => trace(&mut joints, frame, path),
-            Drawn::Beam { contour, path, leads: parts } => {
+            Drawn::Beam { contour, path, leads: parts, turns } => {
                 let to = if contour.is_some_and(is_mark) { &mut marks } else { &mut cuts };
                 trace(to, frame, path);
                 let [lead_in, _, overcut, lead_out] = parts.divide(path);
                 [lead_in, overcut, lead_out].into_iter().for_each(|part| trace(&mut leads, frame, part));
+                let loops = turns.iter().filter(|turn| turn.kind == CornerKind::Loop);
+                loops.for_each(|turn| trace(&mut leads, frame, turn.of(path)));
                 if let Some(first) = path.first() {
                     let (x, y) = frame.place(first.start());
                     entries.push_circle(x, y, ENTRY_RADIUS * px);

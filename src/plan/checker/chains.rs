@@ -6,7 +6,8 @@
 
 use super::tolerance::SAME;
 use super::violation::Violation;
-use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, winding};
+use super::waste::{JOINT, Near, Waste};
+use crate::geometry::{Aabb, DVec2, Segment};
 use crate::machine::{Chains, PLANS_ALL_LEVERS, Profile};
 use crate::plan::model::{Move, Plan};
 use crate::sheet::{Contour, Operation, Sheet};
@@ -14,21 +15,18 @@ use crate::sheet::{Contour, Operation, Sheet};
 /// Distance of the places that are looked at, mm, and their greatest number.
 const STEP: f64 = 0.02;
 const MOST: f64 = 20_000.0;
-/// Rounding of distances, mm.
-const ROUNDING: f64 = 1e-6;
-/// Least distance from other contours if the machine says 0, mm.
-const LEAST: f64 = 0.01;
-/// Least slope against the contours at the ends.
-const SLOPE: f64 = 0.25;
-/// Length at both ends that is not compared with the contours there, mm.
-const JOINT: f64 = 0.02;
 
 pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
     // Builds without them refuse machines with chains.
     if !PLANS_ALL_LEVERS || !plan.moves.iter().any(|m| matches!(m, Move::Chain { .. })) {
         return;
     }
-    let room = machine.levers.chains.map(|lever| Room::new(sheet, machine, lever));
+    let room = machine.levers.chains.map(|lever| Room {
+        waste: Waste::new(sheet, machine, lever.clearance),
+        sheet,
+        machine,
+        lever,
+    });
     for (step, m) in plan.moves.iter().enumerate() {
         let Move::Chain { path } = m else { continue };
         let before = plan.moves.get(..step).unwrap_or_default();
@@ -79,36 +77,15 @@ fn edge_of(sheet: &Sheet) -> Option<&[Segment]> {
     around.reduce(|a, b| if b.area().abs() < a.area().abs() { b } else { a }).map(|p| p.segments.as_slice())
 }
 
-/// Everything that is cut, as chains see it.
+/// Where chains may be.
 struct Room<'s> {
     sheet: &'s Sheet,
     machine: &'s Profile,
     lever: Chains,
-    /// All elements of cuts with their contour, and their least distance from chains, mm.
-    elements: Vec<(u32, Segment, f64)>,
-    index: BoxIndex,
-    /// The outlines of parts and holes, by their boxes.
-    outlines: Vec<&'s Contour>,
-    boxes: BoxIndex,
+    waste: Waste<'s>,
 }
 
-impl<'s> Room<'s> {
-    fn new(sheet: &'s Sheet, machine: &'s Profile, lever: Chains) -> Self {
-        let is_cut = |c: &&Contour| c.operation == Operation::Cut && c.pass == 0 && !c.skeleton;
-        let mut elements = Vec::new();
-        for (id, c) in (0..).zip(&sheet.contours).filter(|(_, c)| is_cut(c)) {
-            let beside = if c.drawn.is_some() { 0.0 } else { 0.5 * machine.kerf_width };
-            let least = lever.clearance.max(LEAST) + beside;
-            elements.extend(c.boundary().unwrap_or(&c.path).segments.iter().map(|s| (id, *s, least)));
-        }
-        let index = BoxIndex::new(elements.iter().map(|e| e.1.bounds()));
-        let outlines: Vec<&Contour> =
-            sheet.contours.iter().filter(|c| c.bounds_area() && c.pass == 0).collect();
-        let boxes = outlines.iter().filter_map(|c| c.boundary()).map(Path::bounds);
-        let boxes = BoxIndex::new(boxes.collect::<Vec<Aabb>>());
-        Self { sheet, machine, lever, elements, index, outlines, boxes }
-    }
-
+impl Room<'_> {
     /// What is wrong with a chain between two contours that begins at `at`, and where.
     fn fault(&self, [a, b]: [u32; 2], path: &[Segment], at: DVec2) -> Option<(&'static str, DVec2)> {
         let [Segment::Line(line)] = path else { return Some(("is not straight", at)) };
@@ -129,11 +106,13 @@ impl<'s> Room<'s> {
         let count = (length / STEP).ceil().clamp(2.0, MOST);
         let fractions = std::iter::successors(Some(0.0), |k| (*k < count).then_some(k + 1.0));
         for (gone, p) in fractions.map(|k| (length * k / count, line.start + way * (k / count))) {
-            if let Some(what) = self.too_near([a, b], [gone, length - gone], p) {
-                return Some((what, p));
+            match self.waste.too_near([(a, gone), (b, length - gone)], p) {
+                Near::None => {}
+                Near::Own => return Some(("runs along a contour that it joins", p)),
+                Near::Other => return Some(("is too near to another cut", p)),
             }
             let ends = gone.min(length - gone) <= JOINT;
-            if !ends && self.depth(p) % 2 == 1 {
+            if !ends && self.waste.depth(p) % 2 == 1 {
                 return Some(("cuts into a part", p));
             }
         }
@@ -156,8 +135,12 @@ impl<'s> Room<'s> {
         let fractions = std::iter::successors(Some(0.0), |k| (*k < count).then_some(k + 1.0));
         fractions.map(|k| (length * (1.0 - k / count), line.start + way * (k / count))).find_map(
             |(left, p)| {
-                let part = left > JOINT && self.depth(p) % 2 == 1;
-                let what = self.too_near([contour; 2], [left; 2], p).or(part.then_some("cuts into a part"));
+                let part = left > JOINT && self.waste.depth(p) % 2 == 1;
+                let what = match self.waste.too_near([(contour, left); 2], p) {
+                    Near::None => part.then_some("cuts into a part"),
+                    Near::Own => Some("runs along a contour that it joins"),
+                    Near::Other => Some("is too near to another cut"),
+                };
                 what.map(|what| (what, p))
             },
         )
@@ -167,32 +150,5 @@ impl<'s> Room<'s> {
     fn is_on(&self, contour: u32, at: DVec2) -> bool {
         let known = self.sheet.contours.get(contour as usize).filter(|c| c.path.closed);
         known.is_some_and(|c| c.path.segments.iter().any(|s| s.nearest(at).1.sqrt() <= SAME))
-    }
-
-    /// What a place is too near to; `gone` is its distance from both ends of its chain.
-    fn too_near(&self, own: [u32; 2], gone: [f64; 2], p: DVec2) -> Option<&'static str> {
-        let mut found = None;
-        let reach = self.lever.clearance.max(LEAST) + 0.5 * self.machine.kerf_width + ROUNDING;
-        self.index.visit(Aabb::of(p).grown(reach), |k| {
-            let Some((id, s, least)) = self.elements.get(k) else { return true };
-            let off = s.nearest(p).1.sqrt();
-            let ends = own.iter().zip(gone).filter(|(o, _)| *o == id).map(|o| o.1);
-            let along = ends.fold(f64::INFINITY, f64::min);
-            found = if along < f64::INFINITY {
-                let near = along > JOINT && off < least.min(SLOPE * along) - ROUNDING;
-                near.then_some("runs along a contour that it joins")
-            } else {
-                (off < least - ROUNDING).then_some("is too near to another cut")
-            };
-            found.is_none()
-        });
-        found
-    }
-
-    /// Number of outlines around a point.
-    fn depth(&self, p: DVec2) -> usize {
-        let boundary = |k: usize| self.outlines.get(k).and_then(|c| c.boundary());
-        let around = |k: &usize| boundary(*k).is_some_and(|o| winding(o, p).is_inside());
-        self.boxes.query(Aabb::of(p)).iter().filter(|k| around(k)).count()
     }
 }

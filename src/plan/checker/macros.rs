@@ -8,7 +8,7 @@ use super::tolerance::JOIN;
 use super::violation::Violation;
 use crate::geometry::{Segment, math};
 use crate::machine::{MARGIN, Profile};
-use crate::plan::model::{Leads, Move};
+use crate::plan::model::{Leads, Move, Turn};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
@@ -35,8 +35,10 @@ pub(super) fn joined<'p>(
                 }
                 paused = Some((step, *at));
             }
-            Move::Cut { contour, with, path, mark: false, leads } => {
-                for pair in path.windows(2).filter(|p| is_sharp(&p[0], &p[1])) {
+            Move::Cut { contour, with, path, mark: false, leads, turns } => {
+                // In a loop, or along an arc, no corner is cut through.
+                let is_turned = |p: &[Segment]| turns.iter().any(|t| t.at.distance(p[1].start()) <= JOIN);
+                for pair in path.windows(2).filter(|p| is_sharp(&p[0], &p[1]) && !is_turned(p)) {
                     found.push(Violation::NoMacro { step, contour: *contour, at: pair[1].start() });
                 }
                 let corner = match (out.last().map(|o| o.1.as_ref()), path.first()) {
@@ -57,7 +59,7 @@ pub(super) fn joined<'p>(
                 if let (Some(_), Some((_, before))) = (pause, out.last_mut())
                     && goes_on(before, *contour, groups)
                 {
-                    append(before.to_mut(), *contour, with, path, leads);
+                    append(before.to_mut(), *contour, with, (path, turns), leads);
                     continue;
                 }
                 out.push((step, Cow::Borrowed(m)));
@@ -91,9 +93,10 @@ fn goes_on(before: &Move, next: u32, groups: &Groups) -> bool {
     matches!(before, Move::Cut { contour, mark: false, .. } if *contour == next || groups.same(*contour, next))
 }
 
-fn append(before: &mut Move, next: u32, also: &[u32], run: &[Segment], more: &Leads) {
-    if let Move::Cut { contour, with, path, leads, .. } = before {
+fn append(before: &mut Move, next: u32, also: &[u32], (run, then): (&[Segment], &[Turn]), more: &Leads) {
+    if let Move::Cut { contour, with, path, leads, turns, .. } = before {
         *leads = leads.and(*more);
+        turns.extend_from_slice(then);
         path.extend_from_slice(run);
         for &other in std::iter::once(&next).chain(also) {
             if other != *contour && !with.contains(&other) {

@@ -6,6 +6,7 @@
 //! share the geometry (points and lengths of elements) and the look-ahead along a contour, which has its own oracle.
 
 mod chains;
+mod corners;
 mod coverage;
 mod fly;
 mod groups;
@@ -26,6 +27,7 @@ mod tips;
 mod tolerance;
 mod violation;
 mod visits;
+mod waste;
 
 pub use violation::Violation;
 
@@ -46,6 +48,8 @@ use visits::Visits;
 /// All violations; those of moves are in the order of the moves.
 pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Violation>> {
     let mut found = Vec::new();
+    let as_planned = plan;
+    let plan = &*corners::cut_through(plan);
     let mut visits = Visits::new(sheet, machine);
     let mut groups = Groups::new(sheet, machine, plan);
     let mut flown = Flown::new(sheet, plan);
@@ -56,15 +60,16 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     groups.finish(|c| visits.ends(c), &mut found);
     order::check(sheet, machine, &visits, &groups, &mut found);
     passes::check(sheet, machine, plan, &visits, &mut found);
-    sums::check(sheet, machine, plan, &mut found);
+    sums::check(sheet, machine, as_planned, &mut found);
     kerf::check(sheet, machine, plan, &mut found);
     leads::check(sheet, machine, plan, |c| flown.holds(c), &mut found);
+    corners::check(sheet, machine, as_planned, |c| flown.holds(c), &mut found);
     chains::check(sheet, machine, plan, &mut found);
     moving::check(sheet, machine, plan, &flown, &mut found);
     joints::check(sheet, machine, plan, &groups, &mut found);
     skeleton::check(sheet, machine, plan, &mut found);
     tips::check(sheet, machine, plan, &mut found);
-    heat::check(sheet, machine, plan, &mut found);
+    heat::check(sheet, machine, as_planned, &mut found);
     if found.is_empty() { Ok(()) } else { Err(found) }
 }
 
@@ -223,7 +228,7 @@ fn follow(
                 }
                 head = *to;
             }
-            Move::Cut { contour, with, path, mark, leads } => {
+            Move::Cut { contour, with, path, mark, leads, .. } => {
                 // A mark is not pierced, but may begin moving.
                 pierced |= std::mem::take(&mut moving) && !*mark;
                 let grouped = groups.holds(*contour);

@@ -84,7 +84,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                 }
                 head = to;
             }
-            Move::Cut { contour, with, path, leads, .. } => {
+            Move::Cut { contour, with, path, leads, turns, .. } => {
                 // After a chain the beam is on, unless that began on a kerf.
                 let chained =
                     step > 1 && matches!(plan.moves[step - 2..step], [Move::Cut { .. }, Move::Chain { .. }]);
@@ -92,8 +92,8 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                 cuts += u32::from(!flies_on && !chained);
                 worked.push(*contour);
                 worked.extend(with);
-                if joints::asked(sheet, machine, *contour).is_some() {
-                    // A joint may be where the contour reaches farthest.
+                if joints::asked(sheet, machine, *contour).is_some() || !turns.is_empty() {
+                    // A joint may be where the contour reaches farthest, and a loop reaches beyond it.
                     bounds = path.iter().fold(bounds, |b, s| b.union(s.bounds()));
                 } else {
                     for path in with.iter().chain([contour]).filter_map(|&c| path_of(sheet, machine, c)) {

@@ -122,6 +122,18 @@ pub enum Violation {
         /// Position, mm.
         at: DVec2,
     },
+    /// A corner in which a cut does not stop is not cut as the machine or a person asks for.
+    #[error("move {step}: a corner of contour {contour} {what} at {at}")]
+    Corner {
+        /// Which move.
+        step: usize,
+        /// Which contour.
+        contour: u32,
+        /// What is wrong.
+        what: &'static str,
+        /// Position, mm.
+        at: DVec2,
+    },
     /// A cut through waste that joins two contours is not as the machine has it, or does not lie in waste.
     #[error("move {step}: the cut through waste {what} at {at}")]
     Chain {

@@ -7,6 +7,7 @@
 
 use super::super::model::{self, Way};
 use crate::geometry::{Arc, DVec2, Segment, arcs};
+use crate::machine::CornerKind;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 
@@ -95,7 +96,23 @@ pub enum Move {
         /// How many of the last elements are the lead-out.
         #[serde(default, skip_serializing_if = "is_zero")]
         lead_out: usize,
+        /// The corners that are cut in a loop or rounded, in order.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        corners: Vec<Corner>,
     },
+}
+
+/// A corner in which a cut does not stop.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Corner {
+    /// `loop`: through waste and back through the corner; `round`: along an arc instead of the corner.
+    pub kind: CornerKind,
+    /// The corner, mm.
+    pub at: [f64; 2],
+    /// How many elements of the cut come before those of the loop or the arc.
+    pub first: usize,
+    /// How many elements these are.
+    pub count: usize,
 }
 
 /// The contour of a cut, or the contours that share it, by id.
@@ -145,19 +162,33 @@ impl From<&model::Move> for Move {
             model::Move::Chain { path } => Self::Chain { path: Element::all(path) },
             model::Move::Height { z } => Self::Height { z: *z },
             model::Move::Wait { seconds } => Self::Wait { seconds: *seconds },
-            model::Move::Cut { contour, with, path, leads, .. } => {
+            model::Move::Cut { contour, with, path, leads, turns, .. } => {
                 // An arc may become two elements, so each part is counted as it is written.
                 let [lead_in, on, overcut, lead_out] = leads.divide(path).map(Element::all);
                 let counts = [&lead_in, &overcut, &lead_out].map(Vec::len);
+                let corner = |turn: &model::Turn| Corner {
+                    kind: turn.kind,
+                    at: place(turn.at),
+                    first: Element::all(path.get(..turn.first).unwrap_or_default()).len(),
+                    count: Element::all(turn.of(path)).len(),
+                };
                 Self::Cut {
                     contour: Contours::of(*contour, with),
                     path: [lead_in, on, overcut, lead_out].concat(),
                     lead_in: counts[0],
                     overcut: counts[1],
                     lead_out: counts[2],
+                    corners: turns.iter().map(corner).collect(),
                 }
             }
         }
+    }
+}
+
+impl From<&Corner> for model::Turn {
+    fn from(corner: &Corner) -> Self {
+        let Corner { kind, at, first, count } = *corner;
+        Self { kind, at: at.into(), first, count }
     }
 }
 

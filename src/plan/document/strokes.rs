@@ -1,6 +1,6 @@
 //! The strokes of the head that a plan document describes: the PNG renderer draws them, a quote measures them.
 
-use super::super::model::Leads;
+use super::super::model::{Leads, Turn};
 use super::model::Document;
 use super::moves::{Move, segments};
 use crate::geometry::{DVec2, Segment};
@@ -40,6 +40,8 @@ pub enum Stroke {
         path: Vec<Segment>,
         /// Which of them are leads and overcut.
         leads: Leads,
+        /// The corners that are cut in a loop or rounded.
+        turns: Vec<Turn>,
     },
 }
 
@@ -69,11 +71,13 @@ pub fn strokes(document: &Document) -> Vec<Stroke> {
                     contour: None,
                     path: vec![Segment::line(from, at)],
                     leads: Leads::default(),
+                    turns: Vec::new(),
                 })
             }
-            Move::Cut { contour, path, lead_in, overcut, lead_out } => {
+            Move::Cut { contour, path, lead_in, overcut, lead_out, corners } => {
                 let leads = Leads { lead_in: *lead_in, overcut: *overcut, lead_out: *lead_out };
-                Some(Stroke::Beam { contour: contour.first(), path: segments(path, &mut at), leads })
+                let turns = corners.iter().map(Turn::from).collect();
+                Some(Stroke::Beam { contour: contour.first(), path: segments(path, &mut at), leads, turns })
             }
         }
     };

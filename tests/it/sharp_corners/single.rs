@@ -134,7 +134,14 @@ fn a_pause_where_a_side_continues_is_a_fault() {
     let at = moves.iter().position(|m| matches!(m, Move::Cut { path, .. } if path.len() == 4)).unwrap();
     let Move::Cut { contour, path, .. } = &mut moves[at] else { panic!() };
     let (contour, rest) = (*contour, path.split_off(2));
-    let cut = Move::Cut { contour, with: vec![], mark: false, path: rest.clone(), leads: Leads::default() };
+    let cut = Move::Cut {
+        contour,
+        with: vec![],
+        mark: false,
+        path: rest.clone(),
+        leads: Leads::default(),
+        turns: vec![],
+    };
     moves.splice(at + 1..at + 1, [Move::Macro { contour, at: rest[0].start() }, cut]);
     let mut summary = plan::evaluate(&moves, job.beam_sheet(), &thick());
     summary.parts = good.summary.parts;

@@ -143,8 +143,8 @@ export class Selection {
     this.announcer.say(group ? words.page.unpinned(name) : words.drawing.together(name));
   }
 
-  /** Gives what is selected a number of micro-joints or a lead; null: by the rules of the machine. */
-  private choose<K extends 'joints' | 'lead'>(what: K, value: NonNullable<ContourChoice[K]> | null): void {
+  /** Gives what is selected a number of micro-joints, a lead or corners; null: by the rules of the machine. */
+  private choose<K extends 'joints' | 'lead' | 'corners'>(what: K, value: NonNullable<ContourChoice[K]> | null): void {
     const { state: { load, loaded }, drawing } = this.session;
     if (loaded) drawing.change(withChoice(load, choosing(loaded, this.chosen, what), what, value));
   }

@@ -1,6 +1,6 @@
 /** What a contour is: in the tooltip beside the pointer, and on the card of the selected contours. */
 
-import { type ContourChoice, LEAD_KINDS, type LeadKind, type Loaded } from 'kerfway';
+import { type ContourChoice, CORNER_KINDS, LEAD_KINDS, type LeadKind, type Loaded } from 'kerfway';
 import { button, h } from '../core/dom.js';
 import { clock, count, extent, millimetres } from '../core/format.js';
 import type { Session } from '../session/session.js';
@@ -62,8 +62,8 @@ export interface CardActions {
   keepOrder(): void;
   /** Keeps what is selected together, or not any more. */
   group(): void;
-  /** Gives what is selected a number of micro-joints or a lead; null: by the rules of the machine. */
-  choose<K extends 'joints' | 'lead'>(what: K, value: NonNullable<ContourChoice[K]> | null): void;
+  /** Gives what is selected a number of micro-joints, a lead or corners; null: by the rules of the machine. */
+  choose<K extends 'joints' | 'lead' | 'corners'>(what: K, value: NonNullable<ContourChoice[K]> | null): void;
   step(by: 1 | -1): void;
   close(): void;
 }
@@ -110,11 +110,11 @@ export class ContourCard {
     if (focused) [...this.root.querySelectorAll<HTMLElement>('button, select')].find((b) => nameOfControl(b) === focused)?.focus();
   }
 
-  /** The number of micro-joints and the lead of what is selected, where it can have some. */
+  /** The number of micro-joints, the lead and the corners of what is selected, where it can have some. */
   private choices(loaded: Loaded, contours: readonly number[]): (HTMLElement | null)[] {
-    const { load } = this.session.state;
+    const { load, machine } = this.session.state;
     const kinds: readonly LeadKind[] = [...LEAD_KINDS, 'center'];
-    const one = <K extends 'joints' | 'lead', V extends NonNullable<ContourChoice[K]>>(what: K, label: string, values: readonly V[], name: (value: V) => string) => {
+    const one = <K extends 'joints' | 'lead' | 'corners', V extends NonNullable<ContourChoice[K]>>(what: K, label: string, values: readonly V[], name: (value: V) => string) => {
       const named = choosing(loaded, contours, what);
       if (named.length === 0) return null;
       const now = commonChoice(load, named, what);
@@ -127,6 +127,7 @@ export class ContourCard {
     return [
       one('joints', words.contour.joints, COUNTS, (n) => (n === 0 ? words.leads.kinds.none : count(n))),
       one('lead', words.contour.lead, kinds, (kind) => words.leads.kinds[kind]),
+      machine?.levers?.corners == null ? null : one('corners', words.contour.corners, CORNER_KINDS, (kind) => words.corners.kinds[kind]),
     ];
   }
 

@@ -3,6 +3,7 @@
 import { h } from '../core/dom.js';
 import type { MachineProfile } from 'kerfway';
 import { words } from '../core/words/index.js';
+import { cornersPanel } from './corners.js';
 import { heatPanel } from './heat.js';
 import { check, field, numberInput } from './section.js';
 import { tipsPanel } from './tips.js';
@@ -96,16 +97,21 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
     if (change === null) delete l.heat;
     else change((l.heat = { ...HEAT, ...l.heat }));
   }));
+  const corners = cornersPanel((change) => set((l) => {
+    if (change === null) delete l.corners;
+    else l.corners = { ...l.corners, ...change };
+  }));
   return {
-    root: h('div', { class: 'stack' }, moving.root, more, fly.root, run, chains.root, joined, shared.root, aboutShared, lift.root, about, tips.root, heat.root),
+    root: h('div', { class: 'stack' }, moving.root, more, fly.root, run, chains.root, joined, shared.root, aboutShared, corners.root, lift.root, about, tips.root, heat.root),
     show(machine) {
       const { levers, pre_cut_time, sharp_corner, z_speed } = machine;
       tips.show(machine);
       heat.show(machine);
+      corners.show(machine);
       const pierce = levers?.moving_pierce, lifting = levers?.lift;
       moving.input.checked = Boolean(pierce);
       // A machine that leaves contours unfinished pierces at rest.
-      moving.input.disabled = !pierce && (typeof pre_cut_time === 'number' || Boolean(levers?.chains));
+      moving.input.disabled = !pierce && typeof pre_cut_time === 'number';
       more.hidden = !pierce;
       overcut.show(pierce?.overcut ?? 0);
       fly.input.checked = Boolean(levers?.fly);
@@ -115,9 +121,9 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
       reach.show(levers?.fly?.reach ?? FLY.reach);
       again.show(levers?.fly?.overcut ?? 0);
       chains.input.checked = Boolean(levers?.chains);
-      // Chains are for machines that pierce each contour once, at rest, and turn corners with the beam on.
+      // Chains are for machines that cut each contour in one go, and turn corners with the beam on.
       const avoids = levers?.tips != null && levers.tips.risky_moves !== 'ignore';
-      chains.input.disabled = !levers?.chains && (typeof pre_cut_time === 'number' || sharp_corner != null || Boolean(pierce) || avoids || levers?.heat != null);
+      chains.input.disabled = !levers?.chains && (typeof pre_cut_time === 'number' || sharp_corner != null || avoids || levers?.heat != null);
       joined.hidden = !levers?.chains;
       chainReach.show(levers?.chains?.reach ?? CHAINS.reach);
       clearance.show(levers?.chains?.clearance ?? CHAINS.clearance);

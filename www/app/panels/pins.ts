@@ -53,9 +53,9 @@ export class Pins {
       this.rows(`s${index}`, sequence, (to) => withSequence(load, sequence, to), (c) => drawing.change(withSequence(load, sequence, sequence.filter((other) => other !== c)))));
   }
 
-  /** The contours with micro-joints or leads of their own. */
+  /** The contours with micro-joints, leads or corners of their own. */
   private own(load: LoadOptions): HTMLElement[] {
-    return (['joints', 'lead'] as const).flatMap((what) => {
+    return (['joints', 'lead', 'corners'] as const).flatMap((what) => {
       const own = (load.contours ?? []).filter((c) => c[what] !== undefined).map((c) => c.contour);
       return own.length === 0 ? [] : [this.listed(words.drawing.own[what], own, words.drawing.byRule, () => withChoice(load, own, what, null))];
     });

@@ -1,7 +1,7 @@
 /** The result: the seconds saved, the orders compared, the chart, what the job time consists of, downloads. */
 
 import { button, h, setText } from '../core/dom.js';
-import { count, metres, percent, seconds } from '../core/format.js';
+import { count, metres, millimetres, percent, seconds } from '../core/format.js';
 import { type OutputKind, PROVEN, type Summary } from 'kerfway';
 import type { Alternatives } from '../session/alternatives.js';
 import type { Session } from '../session/session.js';
@@ -123,6 +123,8 @@ function showParts(list: HTMLElement, s: Summary): void {
   if (s.lifts) rows.push(['lifts', words.tips.lifts, count(s.lifts)]);
   if (s.detours) rows.push(['detours', words.tips.detours, count(s.detours)]);
   if (s.crossings) rows.push(['crossings', words.tips.crossings, count(s.crossings)]);
+  if (s.loops) rows.push(['loops', words.corners.loops, `${metres(s.loop_length ?? 0)} · ${count(s.loops)}`]);
+  if (s.rounded_corners) rows.push(['rounded', words.corners.rounded, `${millimetres(s.corner_deviation ?? 0)} · ${count(s.rounded_corners)}`]);
   if (s.waits) rows.push(['waits', words.heat.waits, `${seconds(s.wait_time ?? 0)} · ${count(s.waits)}`]);
   if (s.hot_pairs) rows.push(['hot-pairs', words.heat.hotPairs, count(s.hot_pairs)]);
   if (s.pre_cuts > 0) rows.push(['pre-cuts', words.result.preCuts, `${seconds(s.pre_cut_time)} · ${count(s.pre_cuts)}`]);

@@ -48,7 +48,7 @@ export class Alternatives {
     yield save('order', baselines.greedy);
     // The same order, with every closed contour entered where its line begins. Leads, stretches, cuts on the run and chains have places of their own.
     const whole = path.along.every((along, k) => along === path.until[k]);
-    if (whole && path.leads.length === 0 && !progress.summary.fly_cuts && !progress.summary.chains && machine.levers?.common_cuts == null) {
+    if (whole && path.leads.length === 0 && !progress.summary.fly_cuts && !progress.summary.chains && !progress.summary.loops && !progress.summary.rounded_corners && machine.levers?.common_cuts == null) {
       const { contours, reversed } = path;
       const zero = new Float64Array(contours.length);
       yield save('entry', (await this.planned({}, { moves: 0, warm: { contours, reversed, along: zero, until: zero } })).progress.summary);
@@ -135,5 +135,5 @@ export function asDrawn(state: State): Alternative | null {
     times[2 * k + 1] = at;
   });
   const none = new Float64Array(0);
-  return { total, path: { contours: Uint32Array.from(contours), points, along: new Float64Array(n), until: new Float64Array(n), reversed: new Uint8Array(n), times, leads: none, leadOffsets: new Uint32Array(0), joints: none, jointOffsets: new Uint32Array(0), preCuts: none, pauses: none, ways: new Uint8Array(0), via: none, viaOf: new Uint32Array(0), tips: new Uint32Array(0), waits: none } };
+  return { total, path: { contours: Uint32Array.from(contours), points, along: new Float64Array(n), until: new Float64Array(n), reversed: new Uint8Array(n), times, leads: none, leadOffsets: new Uint32Array(0), joints: none, jointOffsets: new Uint32Array(0), preCuts: none, pauses: none, ways: new Uint8Array(0), via: none, viaOf: new Uint32Array(0), tips: new Uint32Array(0), waits: none, loops: none, loopOffsets: new Uint32Array(0) } };
 }

@@ -1,4 +1,4 @@
-/** What is decided for a selection besides its rule: parts that are kept together, the number of micro-joints, the lead. */
+/** What is decided for a selection besides its rule: parts that are kept together, the number of micro-joints, the lead, the corners. */
 
 import type { ContourChoice, Loaded, LoadOptions } from 'kerfway';
 import { around } from '../core/nesting.js';
@@ -36,20 +36,20 @@ export function closedCuts({ contours }: Loaded, chosen: readonly number[]): num
   return chosen.filter((c) => contours[c]?.closed === true && contours[c].operation === 'cut');
 }
 
-/** What a choice names: the pieces that would fall, so the outermost of the selection, for joints; every contour for leads. */
-export function choosing(loaded: Loaded, contours: readonly number[], what: 'joints' | 'lead'): number[] {
+/** What a choice names: the pieces that would fall, so the outermost of the selection, for joints; every contour for leads and corners. */
+export function choosing(loaded: Loaded, contours: readonly number[], what: 'joints' | 'lead' | 'corners'): number[] {
   return closedCuts(loaded, what === 'joints' ? outermost(loaded, contours) : contours);
 }
 
 /** The choice that contours have in common; null: by the rules of the machine; undefined: they differ. */
-export function commonChoice<K extends 'joints' | 'lead'>(load: LoadOptions, contours: readonly number[], what: K): ContourChoice[K] | null {
+export function commonChoice<K extends 'joints' | 'lead' | 'corners'>(load: LoadOptions, contours: readonly number[], what: K): ContourChoice[K] | null {
   const own = new Map(load.contours?.map((c) => [c.contour, c]) ?? []);
   const values = new Set(contours.map((c) => own.get(c)?.[what] ?? null));
   return values.size === 1 ? [...values][0] : undefined;
 }
 
 /** The options with a choice for contours; null: by the rules of the machine again. A number of joints takes the place of joints by hand. */
-export function withChoice<K extends 'joints' | 'lead'>(load: LoadOptions, contours: readonly number[], what: K, value: NonNullable<ContourChoice[K]> | null): LoadOptions {
+export function withChoice<K extends 'joints' | 'lead' | 'corners'>(load: LoadOptions, contours: readonly number[], what: K, value: NonNullable<ContourChoice[K]> | null): LoadOptions {
   const own = new Map(load.contours?.map((c) => [c.contour, c]) ?? []);
   for (const contour of contours) {
     const { [what]: _before, ...rest } = own.get(contour) ?? { contour };
@@ -57,6 +57,6 @@ export function withChoice<K extends 'joints' | 'lead'>(load: LoadOptions, conto
   }
   const chosen = new Set(contours);
   const joints = what === 'joints' ? load.joints?.filter((j) => !chosen.has(j.contour)) : load.joints;
-  const all = [...own.values()].filter((c) => c.joints !== undefined || c.lead !== undefined);
+  const all = [...own.values()].filter((c) => c.joints !== undefined || c.lead !== undefined || c.corners !== undefined);
   return { ...load, ...(joints === undefined ? {} : { joints }), contours: all.sort((a, b) => a.contour - b.contour) };
 }

@@ -118,6 +118,15 @@ export function jointShapes(path: BestPath): Shapes {
   return shapes;
 }
 
+const LOOPS = new WeakMap<BestPath, Shapes>();
+
+/** The loops at corners of a path: each is a chain. */
+export function loopShapes(path: BestPath): Shapes {
+  const shapes = LOOPS.get(path) ?? prepare({ segments: path.loops, offsets: path.loopOffsets });
+  LOOPS.set(path, shapes);
+  return shapes;
+}
+
 /** Whether a stop cuts its whole contour at once. */
 export function isWhole(path: BestPath, stop: number): boolean {
   return path.along[stop] === path.until[stop];

@@ -2,6 +2,7 @@
 
 import { parseArgs } from 'node:util';
 import { ANCHORS, pointOf } from '../anchors.js';
+import { CORNER_KINDS } from '../corners.js';
 import { checkOptions } from '../options.js';
 import { LEAD_KINDS } from '../leads.js';
 import type { ContourChoice, LayerChoice, LoadOptions, MachineProfile, Operation, Place, PlanOptions } from '../protocol.js';
@@ -122,11 +123,12 @@ function contourChoices(values: Values): ContourChoice[] {
   const choices = new Map<number, ContourChoice>();
   const take = (option: string, word: string, choice: (value: string) => Partial<ContourChoice>) => {
     const [id = '', value = '', more] = word.split('=');
-    if (value === '' || more !== undefined) throw new WrongUse(`--${option} ${word}: give the id of a contour and a value, as 3=${option === 'lead-of' ? 'arc' : '2'}.`);
+    if (value === '' || more !== undefined) throw new WrongUse(`--${option} ${word}: give the id of a contour and a value, as 3=${{ 'lead-of': 'arc', 'corners-of': 'loop' }[option] ?? '2'}.`);
     const contour = wholeNumber(option, id);
     choices.set(contour, { ...choices.get(contour), contour, ...choice(value) });
   };
   for (const word of (values['joints-of'] as string[] | undefined) ?? []) take('joints-of', word, (value) => ({ joints: wholeNumber('joints-of', value) }));
+  for (const word of (values['corners-of'] as string[] | undefined) ?? []) take('corners-of', word, (value) => ({ corners: oneOf('--corners-of', value, CORNER_KINDS) }));
   for (const word of (values['lead-of'] as string[] | undefined) ?? []) take('lead-of', word, (value) => ({ lead: oneOf('--lead-of', value, [...LEAD_KINDS, 'center'] as const) }));
   return [...choices.values()];
 }

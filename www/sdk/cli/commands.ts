@@ -3,6 +3,7 @@
  */
 
 import { ANCHORS } from '../anchors.js';
+import { CORNER_KINDS } from '../corners.js';
 import { DEFAULT_JOINTS, JOINT_KINDS, JOINT_SIDES, SIZE_TESTS } from '../joints.js';
 import { DEFAULT_LEADS, LEAD_KINDS, LEAD_POSITIONS } from '../leads.js';
 import type { CommonCuts, Group, Operation, PassOrder, RiskyMoves, Unit } from '../protocol.js';
@@ -69,6 +70,7 @@ const READING: Options = {
   'joint-at': { value: 'ID@SHARE', about: 'place a micro-joint on a contour, at a share (0 to 1) of its length from its start', repeat: true },
   'joints-of': { value: 'ID=N', about: 'number of micro-joints of a contour, instead of the rules (0: none)', repeat: true },
   'lead-of': { value: 'ID=KIND', about: `lead-in of a contour, instead of the rules: ${LEAD_KINDS.join(', ')}, center`, repeat: true },
+  'corners-of': { value: 'ID=KIND', about: `corners of a contour, instead of --corners: ${CORNER_KINDS.join(', ')}`, repeat: true },
   exclude: { value: 'ID', about: 'skip a contour; the others keep their ids', repeat: true },
 };
 
@@ -124,6 +126,12 @@ const LEVERS: Options = {
   'chain-clearance': { value: 'MM', about: 'with --chains: least distance of these cuts from other contours (default 1)' },
   'edge-starts': { about: 'with --chains: begin cuts through waste on the kerf of the last contour and at the edge of the sheet, too, without piercing' },
   'shared-cuts': { about: 'cut contours that share cuts, such as parts one kerf apart, together: pierced once, on any machine' },
+  corners: { value: CORNER_KINDS.join('|'), about: 'at corners of parts, cut a loop through waste or an arc instead of turning, where that is quicker', choices: CORNER_KINDS },
+  'hole-corners': { value: CORNER_KINDS.join('|'), about: 'the same at corners of holes (default stop)', choices: CORNER_KINDS },
+  'loop-radius': { value: 'MM', about: 'radius of loops at corners (default 2)' },
+  'loop-clearance': { value: 'MM', about: 'least distance of loops from other contours (default 1)' },
+  'round-radius': { value: 'MM', about: 'greatest radius of rounded corners (default 1)' },
+  'corner-deviation': { value: 'MM', about: 'greatest distance of a rounded corner from the corner drawn (default 0.1)' },
   savings: { about: 'say what each lever of the machine saves: plan again without it, as long as before' },
   'z-speed': { value: 'MM/S', about: "speed of lifting and lowering, instead of the machine's" },
   tips: { value: RISKY_MOVES.join('|'), about: 'moves over pieces that may have tipped: go around or over them with the head lifted (needs --lift), or report them', choices: RISKY_MOVES },

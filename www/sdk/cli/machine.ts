@@ -2,7 +2,8 @@
 
 import type { Planner } from '../node.js';
 import { checkMachine } from '../options.js';
-import type { Dialect, Heat, MachineProfile, Tips } from '../protocol.js';
+import type { Corners, Dialect, Heat, MachineProfile, Tips } from '../protocol.js';
+import { CORNER_KINDS } from '../corners.js';
 import { JOINT_KINDS, JOINT_SIDES, jointRules, SIZE_TESTS, type JointPattern } from '../joints.js';
 import { LEAD_KINDS, LEAD_POSITIONS, leadRules, type LeadChoice } from '../leads.js';
 import { number, oneOf, text, type Words } from './arguments.js';
@@ -80,11 +81,12 @@ function sizes(values: Words['values'], name: string): [number, number] | undefi
 /** The machine with the levers that the options ask for. */
 function withLevers(values: Words['values'], machine: MachineProfile): MachineProfile {
   const [overcut, height, down, speed, reach, again, chain, clearance] = ['moving-pierce', 'lift', 'stay-down', 'z-speed', 'fly', 'fly-overcut', 'chains', 'chain-clearance'].map((option) => number(values, option));
-  const atRest = values['lift-at-rest'] === true, tips = tipsOf(values, machine), heat = heatOf(values, machine);
-  if ([overcut, height, down, speed, reach, again, chain, clearance, tips, heat].every((value) => value === undefined) && !atRest && values['edge-starts'] !== true && values['shared-cuts'] !== true) return machine;
+  const atRest = values['lift-at-rest'] === true, tips = tipsOf(values, machine), heat = heatOf(values, machine), corners = cornersOf(values, machine);
+  if ([overcut, height, down, speed, reach, again, chain, clearance, tips, heat, corners].every((value) => value === undefined) && !atRest && values['edge-starts'] !== true && values['shared-cuts'] !== true) return machine;
   const levers = { ...machine.levers };
   if (tips !== undefined) levers.tips = tips;
   if (heat !== undefined) levers.heat = heat;
+  if (corners !== undefined) levers.corners = corners;
   if (values['shared-cuts'] === true) levers.common_cuts = {};
   if (overcut !== undefined) levers.moving_pierce = { overcut };
   // Without a reach, the overcut changes that of the machine's own fly cuts.
@@ -130,6 +132,17 @@ function tipsOf(values: Words['values'], machine: MachineProfile): Tips | undefi
   const own = machine.levers?.tips;
   if (word === undefined && own == null) throw new WrongUse(`--${OPTION_OF_TIPS.find((option) => values[option] !== undefined)}: say what is done about tipped pieces with --tips avoid or --tips ignore.`);
   return { ...own, ...given, ...(word !== undefined && { risky_moves: oneOf('--tips', word, RISKY_MOVES) }) };
+}
+
+/** What the options say of corners: the machine's own with what they change; undefined without such options. */
+function cornersOf(values: Words['values'], machine: MachineProfile): Corners | undefined {
+  const given: Corners = {
+    ...chosen(values, { outer: ['corners', CORNER_KINDS], hole: ['hole-corners', CORNER_KINDS] }),
+    ...measured(values, { loop_radius: 'loop-radius', clearance: 'loop-clearance', round_radius: 'round-radius', deviation: 'corner-deviation' }),
+  };
+  // Where only single contours are chosen, all others turn in their corners.
+  const own = machine.levers?.corners ?? ((values['corners-of'] as string[] | undefined)?.length ? {} : undefined);
+  return own === undefined && Object.keys(given).length === 0 ? undefined : { ...own, ...given };
 }
 
 /** What the options say of heat: the machine's own with what they change; undefined without such options. */

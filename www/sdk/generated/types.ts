@@ -46,7 +46,7 @@ export interface EntityKindCount {
 export type Severity = "info" | "warning" | "error";
 
 /** The kind of a finding. Written in kebab case in JSON (`unsupported-entity`). Later versions may add codes. */
-export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "lead-adjusted" | "lead-missing" | "joint-adjusted" | "joint-missing" | "far-from-origin" | "off-bed" | "least-power-left-out" | "risky-moves" | "hot-pairs" | "not-all-checked" | "more";
+export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "lead-adjusted" | "lead-missing" | "joint-adjusted" | "joint-missing" | "corner-stopped" | "far-from-origin" | "off-bed" | "least-power-left-out" | "risky-moves" | "hot-pairs" | "not-all-checked" | "more";
 
 /** One finding. */
 export interface Finding {
@@ -95,6 +95,8 @@ export interface ContourChoice {
   joints?: number,
   /** The form of its lead-in, with the sizes of the rule that fits it; `none`: neither lead-in nor lead-out. */
   lead?: LeadKind,
+  /** What is done at its corners, with the sizes of the machine's `levers.corners`, which it has to have. */
+  corners?: CornerKind,
 }
 
 /** How contours with several passes are run. */
@@ -213,6 +215,9 @@ export type LeadSide = "hole" | "outer";
 /** Where leads join a contour. */
 export type LeadPosition = "any" | "corner" | "side";
 
+/** What the beam does in a corner. */
+export type CornerKind = "stop" | "loop" | "round";
+
 /** The form of a lead. */
 export type LeadKind = "none" | "line" | "arc" | "line-arc" | "center";
 
@@ -275,6 +280,8 @@ export interface Levers {
   tips?: Tips,
   /** Cuts near each other follow each other no sooner than stated, or at a charge; `null`: heat does not matter. */
   heat?: Heat,
+  /** Corners are cut in a loop through waste or rounded, where that saves time; `null`: the beam turns in them. */
+  corners?: Corners,
 }
 
 /**
@@ -397,6 +404,22 @@ export interface Heat {
   charge?: number | null,
   /** Small holes in thick plate are cut before all other cuts; `null`: they are not. */
   small_holes?: SmallHoles | null,
+}
+
+/** Which corners are cut how, where that saves time. */
+export interface Corners {
+  /** What is done at corners of the outlines of parts. Default `stop`. */
+  outer?: CornerKind,
+  /** What is done at corners of holes. Default `stop`. */
+  hole?: CornerKind,
+  /** Radius of loops, mm. Default 2. */
+  loop_radius?: number,
+  /** Least distance of loops from every other contour, mm. Default 1. */
+  clearance?: number,
+  /** Greatest radius of rounded corners, mm. Default 1. */
+  round_radius?: number,
+  /** Greatest distance of a rounded corner from the corner drawn, mm. Default 0.1. */
+  deviation?: number,
 }
 
 /** How the sizes of a contour are compared with the limits of a rule. */
@@ -968,6 +991,14 @@ export interface Summary {
   skeleton_length?: number,
   /** Time from the end of the last other cut to the end of the last skeleton cut: air, piercing and cutting. */
   skeleton_time?: number,
+  /** Number of corners that are cut in a loop through waste. */
+  loops?: number,
+  /** The length of all loops, which is part of the length of cuts. */
+  loop_length?: number,
+  /** Number of corners that are rounded. */
+  rounded_corners?: number,
+  /** The greatest distance of a rounded corner from the corner drawn, mm. */
+  corner_deviation?: number,
   /** Length of air moves. */
   air_length: number,
   /** Time along contours, by look-ahead over corners and acceleration. It includes the ways between cuts on the run, and chains. */

@@ -53,6 +53,7 @@ export const de: Words = {
     'off-bed': () => 'Nicht auf dem Arbeitsbereich',
     'least-power-left-out': () => 'Die kleinste Leistung kommt im G-Code nicht vor',
     'risky-moves': () => 'Fahrten führen über Teile, die gekippt sein können',
+    'corner-stopped': (n, w) => counted(n, w, 'Ecke ohne Platz für Schleife oder Bogen', 'Ecken ohne Platz für Schleife oder Bogen'),
     'hot-pairs': () => 'Nahe Schnitte folgen zu früh aufeinander',
     'not-all-checked': (n, w) => counted(n, w, 'unvollständige Prüfung', 'unvollständige Prüfungen'),
     more: (n, w) => counted(n, w, 'weiterer Befund, nicht aufgeführt', 'weitere Befunde, nicht aufgeführt'),
@@ -251,7 +252,7 @@ export const de: Words = {
     unpin: { first: 'Lösen', last: 'Lösen', mark: 'Schneiden', exclude: 'Wieder schneiden' }, others: (n) => `und ${n} weitere`,
     unpinAll: { first: 'Konturen lösen, die zuerst geschnitten werden', last: 'Konturen lösen, die zuletzt geschnitten werden', mark: 'Schneiden statt markieren', exclude: 'Wieder schneiden: übersprungene Konturen' },
     inOrder: 'In dieser Reihenfolge', inOrderHint: 'In der Reihenfolge dieser Liste schneiden; sonst in der schnellsten', sequence: (list) => `In dieser Reihenfolge: ${list}`,
-    together: (list) => `Zusammen: ${list}`, ungroup: 'Trennen', byRule: 'Nach Regel', own: { joints: (list) => `Eigene Mikrostege: ${list}`, lead: (list) => `Eigene Anfahrten: ${list}` },
+    together: (list) => `Zusammen: ${list}`, ungroup: 'Trennen', byRule: 'Nach Regel', own: { joints: (list) => `Eigene Mikrostege: ${list}`, lead: (list) => `Eigene Anfahrten: ${list}`, corners: (list) => `Eigene Ecken: ${list}` },
     anyOrder: 'Beliebige Reihenfolge', anyOrderAll: 'Die Reihenfolge dieser Folge der Suche überlassen',
     move: (name, place, of) => `${name} verschieben, ${place} von ${of}: ziehen oder Pfeiltasten`, removeOne: (name) => `${name} aus dieser Liste entfernen`,
     kinds: (n, w) => `, ${counted(n, w, 'Form', 'Formen')}`, copies: (n, size) => `${n} × ${size}`, copiesHint: 'Alle Kopien dieses Teils auswählen',
@@ -361,6 +362,12 @@ export const de: Words = {
     waits: 'Warten', hotPairs: 'Zu frühe Schnitte',
   },
 
+  corners: {
+    title: 'In Ecken nicht anhalten', outer: 'Ecken von Teilen', hole: 'Ecken von Löchern', kinds: { stop: 'wie gezeichnet', loop: 'Schleife', round: 'gerundet' },
+    loop_radius: 'Radius der Schleifen', clearance: 'Abstand der Schleifen', round_radius: 'Größter Radius', deviation: 'Größte Abweichung', loops: 'Schleifen', rounded: 'Gerundete Ecken',
+    about: 'Wo das schneller ist. Eine Schleife geht gerade durch die Ecke und wendet im Abfall. Eine gerundete Ecke ist ein Bogen innerhalb der Abweichung.',
+  },
+
   placement: {
     title: 'Auf dem Arbeitsbereich', position: 'Position', asDrawn: 'Wie gezeichnet', atPoint: 'Ein Punkt des Auftrags auf', point: 'Punkt des Auftrags', x: 'x', y: 'y',
     points: {
@@ -398,7 +405,7 @@ export const de: Words = {
 
   savings: {
     title: 'Was spart was', about: 'Jede Entscheidung wird einmal weggelassen und der Rest neu geplant.', ask: 'Ausrechnen', working: 'Rechnet…',
-    decisions: { order: 'Reihenfolge, statt nächste zuerst', entry: 'Einstiche, statt wo Linien beginnen', common: 'Gemeinsame Seiten einmal schneiden', partial: 'Konturen unfertig lassen', leads: 'Anfahrten', 'moving-pierce': 'Schnitte in Bewegung beginnen', fly: 'Schneiden im Flug', chains: 'Schnitte durch den Abfall zwischen Konturen', 'edge-starts': 'Starts in einem Schnitt', 'common-cuts': 'Gemeinsame Seiten zusammen schneiden', 'lift-on-the-way': 'Kopf auf dem Weg heben', 'stay-down': 'Unten bleiben auf kurzen Wegen', 'avoid-tips': 'Gekippten Teilen ausweichen, statt immer zu heben', heat: 'Schnitte abkühlen lassen', 'flying-joints': 'Mikrostege ohne Halt' },
+    decisions: { order: 'Reihenfolge, statt nächste zuerst', entry: 'Einstiche, statt wo Linien beginnen', common: 'Gemeinsame Seiten einmal schneiden', partial: 'Konturen unfertig lassen', leads: 'Anfahrten', 'moving-pierce': 'Schnitte in Bewegung beginnen', fly: 'Schneiden im Flug', chains: 'Schnitte durch den Abfall zwischen Konturen', 'edge-starts': 'Starts in einem Schnitt', 'common-cuts': 'Gemeinsame Seiten zusammen schneiden', 'lift-on-the-way': 'Kopf auf dem Weg heben', 'stay-down': 'Unten bleiben auf kurzen Wegen', 'avoid-tips': 'Gekippten Teilen ausweichen, statt immer zu heben', heat: 'Schnitte abkühlen lassen', corners: 'In Ecken nicht anhalten', 'flying-joints': 'Mikrostege ohne Halt' },
     saves: (time) => `spart ${time}`, costs: (time) => `kostet ${time}`, done: (s) => `Pläne ohne eine Entscheidung wurden je bis zu ${s} s gesucht.`,
   },
 
@@ -429,7 +436,7 @@ export const de: Words = {
     mark: 'Markierung', open: 'offen', outer: 'außen', inner: 'innen', begins: (time) => `Schnitt beginnt bei ${time}`, rules: { first: 'Zuerst', last: 'Zuletzt', mark: 'Markieren', exclude: 'Überspringen' }, actions: 'Was damit geschieht',
     wholePart: (n) => `Teil ${n}`, selected: (n, w) => (n === 0 ? 'Nichts ausgewählt.' : `${contours(n, w)} ausgewählt.`),
     whole: 'Ganzes Teil', wholeKey: 'Das ganze Teil auswählen (W)', like: (n) => `Alle ${n} gleichen`, likeKey: 'Alles Gleiche auswählen (L)',
-    group: 'Zusammenhalten', groupKey: 'Diese schneiden, ohne dass anderes dazwischenkommt (U)', joints: 'Stege', lead: 'Anfahrt', byRule: 'nach Regel',
+    group: 'Zusammenhalten', groupKey: 'Diese schneiden, ohne dass anderes dazwischenkommt (U)', joints: 'Stege', lead: 'Anfahrt', corners: 'Ecken', byRule: 'nach Regel',
     keepOrder: 'Reihenfolge behalten', keepOrderHint: 'Die ausgewählten Teile in der Reihenfolge schneiden, in der sie jetzt geschnitten werden',
     why: {
       first: 'Sie schneiden sie zuerst.', last: 'Sie schneiden sie zuletzt.', firstInOrder: 'In der Reihenfolge Ihrer Liste Zuerst.', lastInOrder: 'In der Reihenfolge Ihrer Liste Zuletzt.',

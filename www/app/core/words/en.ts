@@ -8,7 +8,7 @@
  */
 
 import type { Decision } from '../../session/alternatives.js';
-import type { Anchor, DoneReason, FindingCode, JointKind, JointSide, LeadKind, LeadPosition, Operation, Quote, RiskyMoves, Unit, UnitsTaken } from 'kerfway';
+import type { Anchor, CornerKind, DoneReason, FindingCode, JointKind, JointSide, LeadKind, LeadPosition, Operation, Quote, RiskyMoves, Unit, UnitsTaken } from 'kerfway';
 
 /** "1 contour", "3 contours". The number `n` chooses the form; `written` is how it is shown. */
 const counted = (n: number, written: string, one: string, many = `${one}s`) => `${written} ${n === 1 ? one : many}`;
@@ -61,6 +61,7 @@ const findingTitles: Record<FindingCode, Counted> = {
   'off-bed': () => 'Not on the bed',
   'least-power-left-out': () => 'Least power is not part of G-code',
   'risky-moves': () => 'Moves cross pieces that may have tipped',
+  'corner-stopped': (n, w) => counted(n, w, 'corner without room for a loop or an arc', 'corners without room for loops or arcs'),
   'hot-pairs': () => 'Cuts near each other follow too soon',
   'not-all-checked': (n, w) => counted(n, w, 'incomplete check'),
   more: (n, w) => counted(n, w, 'further finding, not listed', 'further findings, not listed'),
@@ -200,7 +201,7 @@ export const en = {
     unpin: { first: 'Unpin', last: 'Unpin', mark: 'Cut', exclude: 'Cut again' }, others: (n: string) => `and ${n} more`,
     unpinAll: { first: 'Unpin contours that are cut first', last: 'Unpin contours that are cut last', mark: 'Cut instead of marking', exclude: 'Cut again: skipped contours' },
     inOrder: 'In this order', inOrderHint: 'Cut them in the order of this list; otherwise in the fastest order', sequence: (contours: string) => `In this order: ${contours}`,
-    together: (contours: string) => `Together: ${contours}`, ungroup: 'Separate', byRule: 'By rule', own: { joints: (contours: string) => `Own micro-joints: ${contours}`, lead: (contours: string) => `Own leads: ${contours}` },
+    together: (contours: string) => `Together: ${contours}`, ungroup: 'Separate', byRule: 'By rule', own: { joints: (contours: string) => `Own micro-joints: ${contours}`, lead: (contours: string) => `Own leads: ${contours}`, corners: (contours: string) => `Own corners: ${contours}` },
     anyOrder: 'Any order', anyOrderAll: 'Leave the order of this sequence to the search',
     move: (name: string, place: string, of: string) => `Move ${name}, ${place} of ${of}: drag, or arrow keys`, removeOne: (name: string) => `Remove ${name} from this list`,
     kinds: (n: number, written: string) => `, ${counted(n, written, 'shape')}`, copies: (n: string, size: string) => `${n} × ${size}`, copiesHint: 'Select all copies of this part',
@@ -310,6 +311,12 @@ export const en = {
     waits: 'Waits', hotPairs: 'Cuts too soon',
   },
 
+  corners: {
+    title: 'Do not stop in corners', outer: 'Corners of parts', hole: 'Corners of holes', kinds: { stop: 'as drawn', loop: 'loop', round: 'rounded' } satisfies Record<CornerKind, string>,
+    loop_radius: 'Radius of loops', clearance: 'Distance of loops', round_radius: 'Greatest radius', deviation: 'Greatest deviation', loops: 'Loops', rounded: 'Rounded corners',
+    about: 'Where that is quicker. A loop crosses its corner straight, and turns in the waste. A rounded corner is an arc within the deviation.',
+  },
+
   placement: {
     title: 'On the bed', position: 'Position', asDrawn: 'As drawn', atPoint: 'A point of the job at', point: 'Point of the job', x: 'x', y: 'y',
     points: {
@@ -347,7 +354,7 @@ export const en = {
 
   savings: {
     title: 'What saves what', about: 'Each decision is left out once, and the rest is planned again.', ask: 'Work it out', working: 'Working…',
-    decisions: { order: 'Order, instead of nearest first', entry: 'Entries, instead of where lines begin', common: 'Cutting shared sides once', partial: 'Leaving contours unfinished', leads: 'Leads', 'moving-pierce': 'Beginning cuts moving', fly: 'Cuts on the run', chains: 'Cuts through waste between contours', 'edge-starts': 'Starts on a kerf', 'common-cuts': 'Cutting shared sides together', 'lift-on-the-way': 'Lifting the head on the way', 'stay-down': 'Staying down on short moves', 'avoid-tips': 'Avoiding pieces that tip, instead of always lifting', heat: 'Letting cuts cool', 'flying-joints': 'Joints without a stop' } satisfies Record<Decision, string>,
+    decisions: { order: 'Order, instead of nearest first', entry: 'Entries, instead of where lines begin', common: 'Cutting shared sides once', partial: 'Leaving contours unfinished', leads: 'Leads', 'moving-pierce': 'Beginning cuts moving', fly: 'Cuts on the run', chains: 'Cuts through waste between contours', 'edge-starts': 'Starts on a kerf', 'common-cuts': 'Cutting shared sides together', 'lift-on-the-way': 'Lifting the head on the way', 'stay-down': 'Staying down on short moves', 'avoid-tips': 'Avoiding pieces that tip, instead of always lifting', heat: 'Letting cuts cool', corners: 'Not stopping in corners', 'flying-joints': 'Joints without a stop' } satisfies Record<Decision, string>,
     saves: (time: string) => `saves ${time}`, costs: (time: string) => `costs ${time}`, done: (s: number) => `Plans without a decision were searched for up to ${s} s each.`,
   },
 
@@ -378,7 +385,7 @@ export const en = {
     mark: 'mark', open: 'open', outer: 'outer', inner: 'inner', begins: (time: string) => `cut begins at ${time}`, rules: { first: 'Cut first', last: 'Cut last', mark: 'Mark', exclude: 'Skip' }, actions: 'What to do with it',
     wholePart: (n: string) => `Part ${n}`, selected: (n: number, written: string) => (n === 0 ? 'Nothing selected.' : `${counted(n, written, 'contour')} selected.`),
     whole: 'Whole part', wholeKey: 'Select the whole part (W)', like: (n: string) => `All ${n} like this`, likeKey: 'Select everything like this (L)',
-    group: 'Keep together', groupKey: 'Cut these without anything else in between (U)', joints: 'Joints', lead: 'Lead', byRule: 'by rule',
+    group: 'Keep together', groupKey: 'Cut these without anything else in between (U)', joints: 'Joints', lead: 'Lead', corners: 'Corners', byRule: 'by rule',
     keepOrder: 'Keep this order', keepOrderHint: 'Cut the selected parts in the order in which they are cut now',
     why: {
       first: 'You cut it first.', last: 'You cut it last.', firstInOrder: 'In the order of your list Cut first.', lastInOrder: 'In the order of your list Cut last.',

@@ -53,6 +53,7 @@ export const es: Words = {
     'off-bed': () => 'Fuera de la mesa',
     'least-power-left-out': () => 'La potencia mínima no forma parte del G-code',
     'risky-moves': () => 'Hay trayectos sobre piezas que pueden haberse levantado',
+    'corner-stopped': (n, w) => counted(n, w, 'esquina sin sitio para un bucle o un arco', 'esquinas sin sitio para bucles o arcos'),
     'hot-pairs': () => 'Cortes cercanos se siguen demasiado pronto',
     'not-all-checked': (n, w) => counted(n, w, 'comprobación incompleta', 'comprobaciones incompletas'),
     more: (n, w) => counted(n, w, 'aviso más, no listado', 'avisos más, no listados'),
@@ -251,7 +252,7 @@ export const es: Words = {
     unpin: { first: 'Soltar', last: 'Soltar', mark: 'Cortar', exclude: 'Volver a cortar' }, others: (n) => `y ${n} más`,
     unpinAll: { first: 'Soltar los contornos que se cortan primero', last: 'Soltar los contornos que se cortan al final', mark: 'Cortar en vez de marcar', exclude: 'Volver a cortar los contornos omitidos' },
     inOrder: 'En este orden', inOrderHint: 'Cortarlos en el orden de esta lista; si no, en el más rápido', sequence: (list) => `En este orden: ${list}`,
-    together: (list) => `Juntos: ${list}`, ungroup: 'Separar', byRule: 'Según la regla', own: { joints: (list) => `Microuniones propias: ${list}`, lead: (list) => `Entradas propias: ${list}` },
+    together: (list) => `Juntos: ${list}`, ungroup: 'Separar', byRule: 'Según la regla', own: { joints: (list) => `Microuniones propias: ${list}`, lead: (list) => `Entradas propias: ${list}`, corners: (list) => `Esquinas propias: ${list}` },
     anyOrder: 'Cualquier orden', anyOrderAll: 'Dejar el orden de esta secuencia a la búsqueda',
     move: (name, place, of) => `Mover ${name}, ${place} de ${of}: arrastre o use las flechas`, removeOne: (name) => `Quitar ${name} de esta lista`,
     kinds: (n, w) => `, ${counted(n, w, 'forma')}`, copies: (n, size) => `${n} × ${size}`, copiesHint: 'Seleccionar todas las copias de esta pieza',
@@ -361,6 +362,12 @@ export const es: Words = {
     waits: 'Esperas', hotPairs: 'Cortes muy seguidos',
   },
 
+  corners: {
+    title: 'No parar en las esquinas', outer: 'Esquinas de piezas', hole: 'Esquinas de agujeros', kinds: { stop: 'como se dibujó', loop: 'bucle', round: 'redondeada' },
+    loop_radius: 'Radio de los bucles', clearance: 'Distancia de los bucles', round_radius: 'Radio máximo', deviation: 'Desviación máxima', loops: 'Bucles', rounded: 'Esquinas redondeadas',
+    about: 'Donde es más rápido. Un bucle cruza la esquina en línea recta y gira en el sobrante. Una esquina redondeada es un arco dentro de la desviación.',
+  },
+
   placement: {
     title: 'Sobre la mesa', position: 'Posición', asDrawn: 'Como está dibujado', atPoint: 'Un punto del trabajo en', point: 'Punto del trabajo', x: 'x', y: 'y',
     points: {
@@ -398,7 +405,7 @@ export const es: Words = {
 
   savings: {
     title: 'Qué ahorra qué', about: 'Cada decisión se quita una vez y el resto se planifica de nuevo.', ask: 'Calcularlo', working: 'Calculando…',
-    decisions: { order: 'Orden, en vez del más cercano primero', entry: 'Perforaciones, en vez de donde empiezan las líneas', common: 'Cortar una vez los lados comunes', partial: 'Dejar contornos sin acabar', leads: 'Entradas', 'moving-pierce': 'Empezar los cortes en movimiento', fly: 'Cortes al vuelo', chains: 'Cortes por el sobrante entre contornos', 'edge-starts': 'Inicios en un corte', 'common-cuts': 'Cortar juntos los lados comunes', 'lift-on-the-way': 'Levantar el cabezal por el camino', 'stay-down': 'Quedarse abajo en trayectos cortos', 'avoid-tips': 'Evitar piezas que se levantan, en vez de levantar siempre', heat: 'Dejar enfriar los cortes', 'flying-joints': 'Microuniones sin parada' },
+    decisions: { order: 'Orden, en vez del más cercano primero', entry: 'Perforaciones, en vez de donde empiezan las líneas', common: 'Cortar una vez los lados comunes', partial: 'Dejar contornos sin acabar', leads: 'Entradas', 'moving-pierce': 'Empezar los cortes en movimiento', fly: 'Cortes al vuelo', chains: 'Cortes por el sobrante entre contornos', 'edge-starts': 'Inicios en un corte', 'common-cuts': 'Cortar juntos los lados comunes', 'lift-on-the-way': 'Levantar el cabezal por el camino', 'stay-down': 'Quedarse abajo en trayectos cortos', 'avoid-tips': 'Evitar piezas que se levantan, en vez de levantar siempre', heat: 'Dejar enfriar los cortes', corners: 'No parar en las esquinas', 'flying-joints': 'Microuniones sin parada' },
     saves: (time) => `ahorra ${time}`, costs: (time) => `cuesta ${time}`, done: (s) => `Los planes sin una decisión se buscaron hasta ${s} s cada uno.`,
   },
 
@@ -429,7 +436,7 @@ export const es: Words = {
     mark: 'marca', open: 'abierto', outer: 'exterior', inner: 'interior', begins: (time) => `el corte empieza en ${time}`, rules: { first: 'Primero', last: 'Al final', mark: 'Marcar', exclude: 'Omitir' }, actions: 'Qué hacer con él',
     wholePart: (n) => `Pieza ${n}`, selected: (n, w) => (n === 0 ? 'Nada seleccionado.' : `${counted(n, w, 'contorno seleccionado', 'contornos seleccionados')}.`),
     whole: 'Pieza entera', wholeKey: 'Seleccionar la pieza entera (W)', like: (n) => `Los ${n} iguales`, likeKey: 'Seleccionar todo lo igual (L)',
-    group: 'Mantener juntos', groupKey: 'Cortarlos sin nada más entre medias (U)', joints: 'Uniones', lead: 'Entrada', byRule: 'según la regla',
+    group: 'Mantener juntos', groupKey: 'Cortarlos sin nada más entre medias (U)', joints: 'Uniones', lead: 'Entrada', corners: 'Esquinas', byRule: 'según la regla',
     keepOrder: 'Conservar este orden', keepOrderHint: 'Cortar las piezas seleccionadas en el orden en que se cortan ahora',
     why: {
       first: 'Usted lo corta primero.', last: 'Usted lo corta al final.', firstInOrder: 'En el orden de su lista Cortar primero.', lastInOrder: 'En el orden de su lista Cortar al final.',

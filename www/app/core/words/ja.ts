@@ -50,6 +50,7 @@ export const ja: Words = {
     'off-bed': () => 'ベッドの上にありません',
     'least-power-left-out': () => '最小出力は G コードに含まれません',
     'risky-moves': () => '立ち上がったおそれのある部品の上を移動します',
+    'corner-stopped': (_n, w) => `ループや円弧の余地のない角 ${w} 個`,
     'hot-pairs': () => '近い切断が早く続きすぎます',
     'not-all-checked': (_n, w) => `完了していない検査 ${w} 件`,
     more: (_n, w) => `一覧にない指摘がほかに ${w} 件`,
@@ -248,7 +249,7 @@ export const ja: Words = {
     unpin: { first: '固定を解除', last: '固定を解除', mark: '切断する', exclude: '切断に戻す' }, others: (n) => `ほか ${n} 個`,
     unpinAll: { first: '最初に切断する輪郭の固定を解除', last: '最後に切断する輪郭の固定を解除', mark: 'マークせずに切断', exclude: '除外した輪郭を切断に戻す' },
     inOrder: 'この順で', inOrderHint: 'この一覧の順に切断します。指定しなければ最も速い順です', sequence: (list) => `この順で：${list}`,
-    together: (list) => `まとめて：${list}`, ungroup: '分ける', byRule: '規則に従う', own: { joints: (list) => `個別のミクロジョイント：${list}`, lead: (list) => `個別のリード：${list}` },
+    together: (list) => `まとめて：${list}`, ungroup: '分ける', byRule: '規則に従う', own: { joints: (list) => `個別のミクロジョイント：${list}`, lead: (list) => `個別のリード：${list}`, corners: (list) => `個別の角：${list}` },
     anyOrder: '任意の順', anyOrderAll: 'この列の順番を探索に任せる',
     move: (name, place, of) => `${name} を移動、${of} 個中 ${place} 番目：ドラッグまたは矢印キー`, removeOne: (name) => `${name} をこの一覧から外す`,
     kinds: (_n, w) => `、${w} 種類`, copies: (n, size) => `${n} × ${size}`, copiesHint: 'この部品の複製をすべて選択',
@@ -358,6 +359,12 @@ export const ja: Words = {
     waits: '待ち', hotPairs: '早すぎる切断',
   },
 
+  corners: {
+    title: '角で止まらない', outer: '部品の角', hole: '穴の角', kinds: { stop: '図面どおり', loop: 'ループ', round: '丸める' },
+    loop_radius: 'ループの半径', clearance: 'ループの間隔', round_radius: '最大半径', deviation: '最大のずれ', loops: 'ループ', rounded: '丸めた角',
+    about: '速くなるところだけです。ループは角をまっすぐ抜け、端材で向きを変えます。丸めた角はずれの範囲内の円弧です。',
+  },
+
   placement: {
     title: 'ベッドの上', position: '位置', asDrawn: '図面どおり', atPoint: 'ジョブの点の位置', point: 'ジョブの点', x: 'x', y: 'y',
     points: {
@@ -395,7 +402,7 @@ export const ja: Words = {
 
   savings: {
     title: '何がどれだけ短縮するか', about: '決定を 1 つずつ外し、残りを計画し直します。', ask: '計算する', working: '計算中…',
-    decisions: { order: '順番（近い順の代わり）', entry: '切り始め（線の始点の代わり）', common: '共有する辺を 1 回で切断', partial: '輪郭を途中で残す', leads: 'リード', 'moving-pierce': '動きながらの切断開始', fly: '走りながらの切断', chains: '輪郭の間の端材の切断', 'edge-starts': '切断線からの開始', 'common-cuts': '共有する辺をまとめて切断', 'lift-on-the-way': '移動しながらヘッドを上げる', 'stay-down': '短い移動で下げたまま', 'avoid-tips': '起き上がる部品を避ける（常に上げる代わり）', heat: '切断部を冷ます', 'flying-joints': '止まらないジョイント' },
+    decisions: { order: '順番（近い順の代わり）', entry: '切り始め（線の始点の代わり）', common: '共有する辺を 1 回で切断', partial: '輪郭を途中で残す', leads: 'リード', 'moving-pierce': '動きながらの切断開始', fly: '走りながらの切断', chains: '輪郭の間の端材の切断', 'edge-starts': '切断線からの開始', 'common-cuts': '共有する辺をまとめて切断', 'lift-on-the-way': '移動しながらヘッドを上げる', 'stay-down': '短い移動で下げたまま', 'avoid-tips': '起き上がる部品を避ける（常に上げる代わり）', heat: '切断部を冷ます', corners: '角で止まらない', 'flying-joints': '止まらないジョイント' },
     saves: (time) => `${time} 短縮`, costs: (time) => `${time} 増加`, done: (s) => `決定を外した計画はそれぞれ最大 ${s} 秒探索しました。`,
   },
 
@@ -426,7 +433,7 @@ export const ja: Words = {
     mark: 'マーク', open: '開', outer: '外側', inner: '内側', begins: (time) => `${time} に切断開始`, rules: { first: '最初に', last: '最後に', mark: 'マーク', exclude: '除外' }, actions: '操作',
     wholePart: (n) => `部品 ${n}`, selected: (n, w) => (n === 0 ? '選択なし。' : `輪郭 ${w} 個を選択。`),
     whole: '部品全体', wholeKey: '部品全体を選択（W）', like: (n) => `同じもの ${n} 個すべて`, likeKey: '同じものをすべて選択（L）',
-    group: 'まとめる', groupKey: '間にほかを挟まずに切断します（U）', joints: 'ジョイント', lead: 'リード', byRule: '規則どおり',
+    group: 'まとめる', groupKey: '間にほかを挟まずに切断します（U）', joints: 'ジョイント', lead: 'リード', corners: '角', byRule: '規則どおり',
     keepOrder: 'この順を保つ', keepOrderHint: '選択した部品を現在の切断順のまま切断',
     why: {
       first: '最初に切断する指定です。', last: '最後に切断する指定です。', firstInOrder: '「最初に切断」の一覧の順です。', lastInOrder: '「最後に切断」の一覧の順です。',

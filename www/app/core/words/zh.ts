@@ -50,6 +50,7 @@ export const zh: Words = {
     'off-bed': () => '不在工作台上',
     'least-power-left-out': () => 'G 代码不含最小功率',
     'risky-moves': () => '移动经过可能翘起的零件',
+    'corner-stopped': (_n, w) => `${w} 个拐角没有绕环或圆弧的空间`,
     'hot-pairs': () => '相近的切割间隔过短',
     'not-all-checked': (_n, w) => `${w} 项检查不完整`,
     more: (_n, w) => `另有 ${w} 项未列出`,
@@ -248,7 +249,7 @@ export const zh: Words = {
     unpin: { first: '取消固定', last: '取消固定', mark: '切割', exclude: '重新切割' }, others: (n) => `另有 ${n} 个`,
     unpinAll: { first: '取消固定最先切割的轮廓', last: '取消固定最后切割的轮廓', mark: '改打标为切割', exclude: '重新切割已跳过的轮廓' },
     inOrder: '按此顺序', inOrderHint: '按此列表的顺序切割；否则按最快的顺序', sequence: (list) => `按此顺序：${list}`,
-    together: (list) => `一起：${list}`, ungroup: '分开', byRule: '按规则', own: { joints: (list) => `自定微连接：${list}`, lead: (list) => `自定引入线：${list}` },
+    together: (list) => `一起：${list}`, ungroup: '分开', byRule: '按规则', own: { joints: (list) => `自定微连接：${list}`, lead: (list) => `自定引入线：${list}`, corners: (list) => `自定拐角：${list}` },
     anyOrder: '任意顺序', anyOrderAll: '由搜索决定此序列的顺序',
     move: (name, place, of) => `移动 ${name}，${of} 中的第 ${place} 个：拖动或用方向键`, removeOne: (name) => `从此列表移除 ${name}`,
     kinds: (_n, w) => `，${w} 种形状`, copies: (n, size) => `${n} × ${size}`, copiesHint: '选择此零件的所有副本',
@@ -358,6 +359,12 @@ export const zh: Words = {
     waits: '等待', hotPairs: '过早的切割',
   },
 
+  corners: {
+    title: '拐角不停顿', outer: '零件的拐角', hole: '孔的拐角', kinds: { stop: '按图', loop: '绕环', round: '倒圆' },
+    loop_radius: '环的半径', clearance: '环的距离', round_radius: '最大半径', deviation: '最大偏差', loops: '绕环', rounded: '倒圆拐角',
+    about: '仅在更快之处。绕环直穿拐角，在废料中转向。倒圆拐角是偏差以内的圆弧。',
+  },
+
   placement: {
     title: '在工作台上', position: '位置', asDrawn: '按图', atPoint: '任务的一点位于', point: '任务的点', x: 'x', y: 'y',
     points: {
@@ -395,7 +402,7 @@ export const zh: Words = {
 
   savings: {
     title: '各项节省', about: '每次去掉一项决定，其余重新规划。', ask: '计算', working: '计算中…',
-    decisions: { order: '顺序，而非最近优先', entry: '切入点，而非线的起点', common: '共用边只切一次', partial: '暂不切完轮廓', leads: '引线', 'moving-pierce': '运动中开始切割', fly: '飞行切割', chains: '轮廓之间穿过废料的切割', 'edge-starts': '从切缝开始', 'common-cuts': '共用边一起切割', 'lift-on-the-way': '移动途中抬起切割头', 'stay-down': '短距离不抬起', 'avoid-tips': '避开可能翘起的零件，而非总是抬起', heat: '让切口冷却', 'flying-joints': '不停顿的微连接' },
+    decisions: { order: '顺序，而非最近优先', entry: '切入点，而非线的起点', common: '共用边只切一次', partial: '暂不切完轮廓', leads: '引线', 'moving-pierce': '运动中开始切割', fly: '飞行切割', chains: '轮廓之间穿过废料的切割', 'edge-starts': '从切缝开始', 'common-cuts': '共用边一起切割', 'lift-on-the-way': '移动途中抬起切割头', 'stay-down': '短距离不抬起', 'avoid-tips': '避开可能翘起的零件，而非总是抬起', heat: '让切口冷却', corners: '拐角不停顿', 'flying-joints': '不停顿的微连接' },
     saves: (time) => `节省 ${time}`, costs: (time) => `多用 ${time}`, done: (s) => `去掉一项决定的方案各搜索了至多 ${s} 秒。`,
   },
 
@@ -426,7 +433,7 @@ export const zh: Words = {
     mark: '打标', open: '未闭合', outer: '外', inner: '内', begins: (time) => `${time} 开始切割`, rules: { first: '最先切割', last: '最后切割', mark: '打标', exclude: '跳过' }, actions: '如何处理',
     wholePart: (n) => `零件 ${n}`, selected: (n, w) => (n === 0 ? '未选择。' : `已选择 ${w} 个轮廓。`),
     whole: '整个零件', wholeKey: '选择整个零件（W）', like: (n) => `全部 ${n} 个相同的`, likeKey: '选择所有相同的（L）',
-    group: '放在一起', groupKey: '连续切割，中间不插入其他（U）', joints: '微连接', lead: '引入线', byRule: '按规则',
+    group: '放在一起', groupKey: '连续切割，中间不插入其他（U）', joints: '微连接', lead: '引入线', corners: '拐角', byRule: '按规则',
     keepOrder: '保持此顺序', keepOrderHint: '按现在的切割顺序切割选中的零件',
     why: {
       first: '您要求最先切割。', last: '您要求最后切割。', firstInOrder: '按您“最先切割”列表的顺序。', lastInOrder: '按您“最后切割”列表的顺序。',

@@ -4,7 +4,7 @@
  */
 
 import type { View } from '../raster-messages.js';
-import { chainLength, jointShapes, leadShapes, placeAfter, type Place } from '../shapes.js';
+import { chainLength, jointShapes, leadShapes, loopShapes, placeAfter, type Place } from '../shapes.js';
 import { traceArrow, type Pen } from '../trace.js';
 import { strokeAir } from './air.js';
 import { BATCH, contourWidth, meanSize, strokeChains, type Subject } from './strokes.js';
@@ -53,6 +53,12 @@ export function* paintPath(pen: Pen, view: View, subject: Subject): Generator<vo
     pen.strokeStyle = palette.ink;
     pen.lineWidth = contourWidth(subject, view);
     yield* strokeChains(pen, view, leads, (chain) => leads.offsets[chain + 1]! > leads.offsets[chain]!);
+    pen.strokeStyle = palette.accent;
+  }
+  if (path.loops.length > 0) {
+    pen.strokeStyle = palette.ink;
+    pen.lineWidth = contourWidth(subject, view);
+    yield* strokeChains(pen, view, loopShapes(path), () => true);
     pen.strokeStyle = palette.accent;
   }
   yield* joints(pen, view, subject);

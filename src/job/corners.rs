@@ -1,0 +1,45 @@
+//! What a plan says about corners that are to be cut in loops or rounded.
+
+use crate::fields::{Fault, FieldError};
+use crate::finding::{Code, Finding, Findings, Severity};
+use crate::machine::{CornerKind, Profile};
+use crate::problem::Problem;
+use crate::sheet::Sheet;
+
+/// Every corner that has no room for a loop or an arc, with its place.
+pub(super) fn findings(machine: &Profile, problem: &Problem) -> Vec<Finding> {
+    let Some(lever) = machine.levers.corners else { return Vec::new() };
+    let mut all = Findings::default();
+    for (contour, leads) in (0_u32..).zip(&problem.items).filter_map(|(id, i)| Some((id, i.leads.as_ref()?)))
+    {
+        for &(kind, at) in &leads.corners.without_room {
+            let message = if kind == CornerKind::Loop {
+                format!(
+                    "The beam turns in a corner of contour {contour}: there is no room for a loop of {} mm. Allow a smaller one or less clearance.",
+                    lever.loop_radius
+                )
+            } else {
+                format!(
+                    "The beam turns in a corner of contour {contour}: only corners between straight sides are rounded."
+                )
+            };
+            all.push(Finding::new(Code::CornerStopped, Severity::Info, message).at(at));
+        }
+    }
+    all.into_list()
+}
+
+/// Refuses choices for corners on a machine that does not say how they are cut.
+pub(super) fn check(sheet: &Sheet, machine: &Profile) -> Result<(), FieldError> {
+    let asks = sheet.choices.iter().find(|c| c.corners.is_some_and(|kind| kind != CornerKind::Stop));
+    match asks.filter(|_| machine.levers.corners.is_none()) {
+        None => Ok(()),
+        Some(choice) => {
+            let message = format!(
+                "The corners of contour {} are to be cut without a stop, but the machine {} has no \"levers.corners\". Give it, or leave out the choice.",
+                choice.contour, machine.name
+            );
+            Err(FieldError::new(Fault::Contradiction, "machine.levers", message))
+        }
+    }
+}
