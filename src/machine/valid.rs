@@ -50,7 +50,7 @@ pub enum ProfileError {
     FlyPreCuts,
     /// Contours are to be joined by cuts through waste on a machine that leaves cuts unfinished or pauses in corners.
     #[error(
-        "The machine has levers.chains and {0}. Chains are planned for machines that pierce each contour once, at rest, and turn corners with the beam on: give one of them."
+        "The machine has levers.chains and {0}. Chains are planned for machines that cut each contour in one go, and turn corners with the beam on: give one of them."
     )]
     ChainsWith(&'static str),
     /// Contours are to be cut together on a machine that does something in between for which they are not planned.
@@ -319,7 +319,6 @@ impl Profile {
         let fields = [
             ("pre_cut_time", self.pre_cut_time.is_some()),
             ("sharp_corner", self.sharp_corner.is_some()),
-            ("levers.moving_pierce", self.levers.moving_pierce.is_some()),
             ("levers.tips.risky_moves \"avoid\"", self.levers.avoid_tips()),
             ("levers.heat", self.levers.heat.is_some()),
         ];

@@ -17,7 +17,7 @@ use super::links::{Link, Links};
 use super::model::{Item, Node};
 use super::seconds::start_seconds;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment};
-use crate::lead::{Lead, Scrap};
+use crate::lead::{Lead, Scrap, starts_moving};
 use crate::machine::{AirTime, Chains, PLANS_ALL_LEVERS, Profile, cut_time};
 use crate::order::{real, sort_by};
 use crate::sheet::{Contour, Operation, Sheet};
@@ -158,12 +158,13 @@ impl<'s> Candidates<'s> {
         let scrap = Scrap::new(&sheet.contours, self.lever.clearance, machine.kerf_width, bed);
         let air = AirTime::new(machine);
         let mut found = Vec::new();
-        let start = start_seconds(machine, false, false);
         for (a, b) in self.pairs() {
             let (Some(first), Some(second)) = (self.all.get(a), self.all.get(b)) else { continue };
             let process = sheet.process_by_id(first.contour, machine);
             for (one, other) in [(first, second), (second, first)] {
                 let ends = self.ends(one, items, nodes, false);
+                // What the item's own seconds contain: a contour that begins moving is not pierced.
+                let start = self.start(other, items);
                 for entry in self.ends(other, items, nodes, true) {
                     let cut = |from: &End| {
                         let way = entry.place - from.place;
@@ -179,7 +180,8 @@ impl<'s> Candidates<'s> {
                     for (exit, seconds) in ends.iter().zip(from_ends) {
                         let chain = seconds.map(|s| (s - start, None));
                         let edge = edges.iter().map(|&(place, seconds)| {
-                            (air.seconds(exit.place, place) + seconds - machine.pierce_time, Some(place))
+                            let lit = seconds + machine.beam_delays();
+                            (air.seconds(exit.place, place) + lit - start, Some(place))
                         });
                         let best = chain.into_iter().chain(edge).min_by(|a, b| a.0.total_cmp(&b.0));
                         let Some((seconds, via)) = best else { continue };
@@ -192,6 +194,17 @@ impl<'s> Candidates<'s> {
             }
         }
         Links::new(nodes.len(), found, |node| nodes.get(node as usize).map(|n| n.item))
+    }
+
+    /// Seconds of piercing and of the beam's delays of a contour that is not joined.
+    fn start(&self, joined: &Joined, items: &[Item]) -> f64 {
+        let (sheet, machine) = (self.sheet, self.machine);
+        let leads = items.get(joined.contour as usize).and_then(|i| i.leads.as_ref());
+        let moving = self.contour(joined).is_some_and(|contour| match leads {
+            Some(leads) => leads.start_moving(sheet, machine, contour),
+            None => starts_moving(sheet, machine, contour, None),
+        });
+        start_seconds(machine, false, moving)
     }
 
     /// The places on the kerf of a contour where a cut to `entry` may begin, with the seconds of that cut. `ends` are its nodes, from

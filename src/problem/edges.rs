@@ -28,7 +28,8 @@ impl<'s> Edges<'s> {
     pub(super) fn new(sheet: &'s Sheet, machine: &'s Profile) -> Option<Self> {
         let lever = machine.levers.chains.filter(|l| PLANS_ALL_LEVERS && l.edge_starts)?;
         let plain = sheet.layers.iter().all(|l| l.settings.is_none());
-        if !plain || sheet.contours.iter().any(Contour::is_mark) {
+        // What begins moving is not pierced.
+        if !plain || machine.levers.moving_pierce.is_some() || sheet.contours.iter().any(Contour::is_mark) {
             return None;
         }
         let edge = sheet.edge()?;

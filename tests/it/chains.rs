@@ -190,8 +190,13 @@ fn chain_seconds(
 /// The least seconds of all orders, all places of entry and all choices between a chain, a start on the kerf of the last contour
 /// and a piercing.
 fn brute(sheet: &Sheet, machine: &Profile, problem: &Problem, slope: f64) -> f64 {
-    let air = AirTime::new(machine);
     let pierce = machine.pierce_time + machine.beam_on_delay + machine.beam_off_delay;
+    brute_with(sheet, machine, problem, slope, pierce)
+}
+
+/// The same, where the beginning of a cut takes `pierce` seconds unless it is joined.
+fn brute_with(sheet: &Sheet, machine: &Profile, problem: &Problem, slope: f64, pierce: f64) -> f64 {
+    let air = AirTime::new(machine);
     let nodes = &problem.nodes;
     // Every cut through waste from a place on a contour to a node of another one: from its nodes, and from where it is nearest.
     let edges = machine.levers.chains.is_some_and(|chains| chains.edge_starts);
@@ -340,6 +345,58 @@ fn a_row_of_parts_is_pierced_once_with_starts_on_kerfs() {
 }
 
 #[test]
+fn chains_beside_moving_pierce_are_as_good_as_every_choice() {
+    let (mut joined, mut moving) = (0, 0);
+    for seed in 0..10_u64 {
+        let mut dice = Dice::new(500 + seed);
+        let mut b = Builder::new();
+        for k in 0..4 {
+            let at = p(f64::from(k % 2), f64::from(k / 2)) * 26.0
+                + p(10.0 + dice.between(0.0, 4.0), 10.0 + dice.between(0.0, 4.0));
+            b.cut(rectangle(at, p(dice.between(12.0, 18.0), dice.between(12.0, 18.0))), None);
+        }
+        let mut machine = chaining(25.0, dice.between(0.2, 2.0));
+        machine.levers.moving_pierce = Some(kerfway::machine::MovingPierce { overcut: 0.0 });
+        // A beam that takes long to go off, in thin sheet that is cut fast: then even a contour that is not pierced is joined.
+        machine.beam_off_delay = dice.between(0.0, 0.6);
+        let sheet = oriented(b.sheet);
+        let (problem, _, plan) = search_of_exact_cost(&sheet, &machine, seed);
+        let start = machine.beam_off_delay;
+        let (least, most) = (
+            brute_with(&sheet, &machine, &problem, 0.25, start),
+            brute_with(&sheet, &machine, &problem, 0.375, start),
+        );
+        let found = plan.summary.total_time;
+        assert!(least <= found + 1e-6 && found <= most + 1e-6, "seed {seed}: {least} {found} {most}");
+        assert_eq!(plan.summary.pierces, 0);
+        assert_eq!(plan.summary.moving_starts + plan.summary.chains, 4);
+        joined += plan.summary.chains;
+        moving += plan.summary.moving_starts;
+    }
+    assert!(joined > 5 && moving > 10, "{joined} {moving}");
+}
+
+#[test]
+fn what_cannot_begin_moving_is_joined_and_what_is_cut_again_stays_so() {
+    // A gap makes every cut begin at rest, so chains save what they save without moving pierce.
+    let pierce = |machine: Profile| {
+        let levers =
+            Levers { moving_pierce: Some(kerfway::machine::MovingPierce { overcut: 0.5 }), ..machine.levers };
+        Profile { levers, ..machine }
+    };
+    let gap = with_leads(chaining(30.0, 1.0), leads(LeadKind::Line, 1.0, -0.4));
+    let (at_rest, moving) =
+        (searched(squares(2, 2, 12.0), &gap).1, searched(squares(2, 2, 12.0), &pierce(gap)).1);
+    assert!(moving.summary.chains >= 2 && moving.summary.moving_starts == 0, "{:?}", moving.summary);
+    assert_eq!(at_rest.summary, moving.summary);
+    // Where the beam takes long to go off, contours that begin moving are joined, too; each is still cut again by 0.5 mm.
+    let slow = Profile { beam_off_delay: 0.6, ..pierce(chaining(30.0, 1.0)) };
+    let (_, plan) = searched(squares(2, 2, 8.0), &slow);
+    assert!(plan.summary.chains >= 2, "{:?}", plan.summary);
+    near(plan.summary.lead_length, 4.0 * 0.5);
+}
+
+#[test]
 fn six_contours_reach_the_exact_optimum() {
     for seed in 0..8_u64 {
         let mut dice = Dice::new(100 + seed);
@@ -457,7 +514,7 @@ fn joined_at(b: Builder, machine: &Profile, [from, to]: [f64; 2]) -> Vec<Violati
     let sheet = oriented(b.sheet);
     let cut = |id: u32, along: f64| {
         let path = sheet.contours[id as usize].path.starting_at(along).segments;
-        Move::Cut { contour: id, with: Vec::new(), path, mark: false, leads: Leads::default() }
+        Move::Cut { contour: id, with: Vec::new(), path, mark: false, leads: Leads::default(), turns: vec![] }
     };
     let place = |id: usize, along: f64| sheet.contours[id].path.at(along).unwrap();
     let (start, end) = (place(0, from), place(1, to));
@@ -575,10 +632,8 @@ fn machines_that_cannot_are_refused() {
     assert!(
         with(&|p| p.pre_cut_time = Some(1.0)).starts_with("The machine has levers.chains and pre_cut_time.")
     );
-    let moving = |p: &mut Profile| {
-        p.levers.moving_pierce = Some(kerfway::machine::MovingPierce { overcut: 0.0 });
-    };
-    assert!(with(&moving).contains("levers.chains and levers.moving_pierce"));
+    let corner = Some(kerfway::machine::SharpCorner { angle: 1.0, time: 1.0 });
+    assert!(with(&|p| p.sharp_corner = corner).contains("levers.chains and sharp_corner"));
     assert!(
         with(&|p| p.levers.chains = Some(Chains { reach: 0.0, clearance: 1.0, edge_starts: false }))
             .contains("levers.chains.reach")
