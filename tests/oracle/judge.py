@@ -1,4 +1,4 @@
-"""What the judges of plans share (joints.py, leads.py): lines and arcs of a plan for Shapely, and the fixture with what was found."""
+"""What the judges of plans share (joints.py, leads.py, chains.py, ...): lines and arcs of a plan for Shapely, and the fixture with what was found."""
 
 import hashlib
 import json
@@ -8,6 +8,8 @@ from pathlib import Path
 import shapely
 
 ROOT = Path(__file__).resolve().parent.parent
+# mm: what a part is smaller than drawn.
+LESS = 0.005
 
 
 class Element:
@@ -58,6 +60,65 @@ def line(chain):
 def polygon(points):
     p = shapely.Polygon(points)
     return p if p.is_valid else p.buffer(0)
+
+
+def contour_lines(plan, chord):
+    """What the beam follows of each contour that is cut in one go, without leads and overcut, and as if it turned in every corner."""
+    at, lines = tuple(plan["machine"]["home"]), {}
+    for move in plan["moves"]:
+        if move["kind"] in ("air", "pre-cut"):
+            at = tuple(move["to"])
+        if "path" not in move:
+            continue
+        chain = elements(at, move["path"], chord)
+        at = chain[-1].end
+        if move["kind"] != "cut":
+            continue
+        on, done = [], move.get("lead_in", 0)
+        for corner in move.get("corners", []):
+            on += chain[done : corner["first"]]
+            if corner["kind"] == "round":
+                on += elements(on[-1].end, [{"line": corner["at"]}], chord)
+            done = corner["first"] + corner["count"]
+        on += chain[done : len(chain) - move.get("overcut", 0) - move.get("lead_out", 0)]
+        contour = move["contour"] if isinstance(move["contour"], int) else move["contour"][0]
+        lines.setdefault(contour, []).extend(on)
+    return {contour: line(chain) for contour, chain in lines.items()}
+
+
+def parts_of(plan, chord):
+    """The parts that a plan makes, each a little smaller than drawn: outlines without their holes."""
+    outlines = {}
+    lines = contour_lines(plan, chord)
+    for c in plan["contours"]:
+        if "drawn" in c:
+            outlines[c["id"]] = line(elements(c["drawn"]["from"], c["drawn"]["path"], chord))
+        elif c["closed"] and c["operation"] == "cut" and c["id"] in lines:
+            outlines[c["id"]] = lines[c["id"]]
+    return shapes_and_parts(outlines)[2]
+
+
+def shapes_and_parts(outlines):
+    """The areas within some outlines, which of them each outline bounds, and the parts, a little smaller than drawn."""
+    # Pieces of one shape have the same outline: it counts once.
+    shapes, shape_of, known = [], {}, {}
+    for k, outline in outlines.items():
+        area = polygon(outline.coords) if len(outline.coords) > 3 else None
+        if area is None or area.area == 0:
+            continue
+        shape_of[k] = known.setdefault((area.bounds, round(area.area, 6)), len(shapes))
+        if shape_of[k] == len(shapes):
+            shapes.append(area)
+    # Parts: shapes within an even number of others, less the holes directly within them.
+    tree = shapely.STRtree(shapes)
+    inner = [s.buffer(-LESS) for s in shapes]
+    around = [[j for j in tree.query(p, predicate="within") if j != i and shapes[j].area > shapes[i].area] for i, p in enumerate(inner)]
+    holes = {}
+    for i, outer in enumerate(around):
+        if len(outer) % 2:
+            holes.setdefault(min(outer, key=lambda j: shapes[j].area), []).append(shapes[i])
+    whole = [shapely.difference(s, shapely.union_all(holes.get(i, []))) for i, s in enumerate(shapes) if len(around[i]) % 2 == 0]
+    return shapes, shape_of, [part.buffer(-LESS) for part in whole]
 
 
 def turned(a, b):

@@ -18,10 +18,10 @@ import math
 
 import shapely
 
-from judge import depth_of, elements, judge, line, polygon, turned
+from judge import LESS, depth_of, elements, judge, line, shapes_and_parts, turned
 
-# mm: deviation of chords, what a part is smaller than drawn, radius of the place of piercing.
-CHORD, LESS, PIERCE = 0.0005, 0.005, 0.05
+# mm: deviation of chords, radius of the place of piercing.
+CHORD, PIERCE = 0.0005, 0.05
 
 
 def cuts(plan):
@@ -68,25 +68,8 @@ def replay(plan):
             outlines[c["id"]] = line(elements(c["drawn"]["from"], c["drawn"]["path"], CHORD))
         elif c["closed"] and c["operation"] == "cut" and c["id"] in beams:
             outlines[c["id"]] = beams[c["id"]]
-    # Pieces of one shape have the same outline: it counts once, and falls out with the last piece.
-    shapes, shape_of, known = [], {}, {}
-    for k, outline in outlines.items():
-        area = polygon(outline.coords) if len(outline.coords) > 3 else None
-        if area is None or area.area == 0:
-            continue
-        shape_of[k] = known.setdefault((area.bounds, round(area.area, 6)), len(shapes))
-        if shape_of[k] == len(shapes):
-            shapes.append(area)
+    shapes, shape_of, parts = shapes_and_parts(outlines)
     last = {shape_of[ids[0]]: ids[0] for ids, _ in done if ids[0] in shape_of}
-    # Parts: shapes within an even number of others, less the holes directly within them.
-    tree = shapely.STRtree(shapes)
-    inner = [s.buffer(-LESS) for s in shapes]
-    around = [[j for j in tree.query(p, predicate="within") if j != i and shapes[j].area > shapes[i].area] for i, p in enumerate(inner)]
-    holes = {}
-    for i, outer in enumerate(around):
-        if len(outer) % 2:
-            holes.setdefault(min(outer, key=lambda j: shapes[j].area), []).append(shapes[i])
-    parts = [shapely.difference(s, shapely.union_all(holes.get(i, []))).buffer(-LESS) for i, s in enumerate(shapes) if len(around[i]) % 2 == 0]
     part_tree = shapely.STRtree(parts)
     cut_ids = [k for k in beams if contours[k]["operation"] == "cut"]
     cut_tree = shapely.STRtree([beams[k] for k in cut_ids])

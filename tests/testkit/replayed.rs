@@ -10,23 +10,23 @@ use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// Larger drawings would take Shapely minutes.
-const MOST_BYTES: usize = 200_000;
+/// Bytes of drawings that take Shapely seconds where others take minutes.
+pub const SMALL: usize = 200_000;
 
-/// Real drawings, the sheet of 100 contours and seeded nests, all small.
-pub fn small_drawings(count: u64) -> Vec<(String, Vec<u8>)> {
-    let mut all: Vec<_> = files(&fixtures().join("dxf-dev"), "dxf")
+/// The drawings of every replay: real ones and sheets of fewer than `most` bytes, and seeded nests.
+pub fn drawings(most: usize, count: u64) -> Vec<(String, Vec<u8>)> {
+    let folders = ["dxf-dev", "sheets"].map(|f| files(&fixtures().join(f), "dxf")).concat();
+    let mut all: Vec<_> = folders
         .iter()
-        .chain([&fixtures().join("sheets/sheet_100.dxf")])
         .map(|p| (name(p), std::fs::read(p).unwrap()))
-        .filter(|(_, bytes)| bytes.len() < MOST_BYTES)
+        .filter(|(_, bytes)| bytes.len() < most)
         .collect();
     all.extend(nests(count));
     all
 }
 
 /// Seeded nests as drawings.
-pub fn nests(count: u64) -> impl Iterator<Item = (String, Vec<u8>)> {
+fn nests(count: u64) -> impl Iterator<Item = (String, Vec<u8>)> {
     (0..count).map(|seed| {
         let sheet = nested_sheet(12, seed);
         let machine = machine("co2-100w");
@@ -38,11 +38,21 @@ pub fn nests(count: u64) -> impl Iterator<Item = (String, Vec<u8>)> {
 
 /// The plan document of a drawing by the nearest next entry. `None` for a drawing without anything to cut.
 pub fn nearest_next(name: &str, bytes: Vec<u8>, machine: Profile, options: PlanOptions) -> Option<String> {
+    let method = Some("greedy".to_owned());
+    document(name, bytes, machine, PlanOptions { method, moves: Some(1), ..options })
+}
+
+/// The same by the default method, after some moves.
+pub fn searched(name: &str, bytes: Vec<u8>, machine: Profile, moves: u64) -> Option<String> {
+    let options = PlanOptions { seed: 1, allow_off_bed: true, moves: Some(moves), ..PlanOptions::default() };
+    document(name, bytes, machine, options)
+}
+
+fn document(name: &str, bytes: Vec<u8>, machine: Profile, options: PlanOptions) -> Option<String> {
     let mut job = Job::load(bytes, name, &LoadOptions::default()).ok()?;
     let machine = MachineChoice::Profile(Box::new(machine));
-    let method = Some("greedy".to_owned());
-    job.start(&PlanOptions { machine, method, moves: Some(1), ..options }).ok()?;
-    job.run_mut().unwrap().step(1);
+    job.start(&PlanOptions { machine, ..options }).ok()?;
+    job.run_mut().unwrap().step(u64::MAX);
     Some(job.output(OutputKind::Json).unwrap_or_else(|e| panic!("{name}: {e}")))
 }
 

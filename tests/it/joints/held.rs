@@ -6,7 +6,7 @@
 
 use crate::testkit::joints::with_joints;
 use crate::testkit::leads::{leads, with_leads};
-use crate::testkit::replayed::{findings, nearest_next, small_drawings};
+use crate::testkit::replayed::{SMALL, drawings, findings, nearest_next};
 use kerfway::job::PlanOptions;
 use kerfway::machine::{JointKind, JointRule, LeadKind, preset};
 use std::collections::BTreeMap;
@@ -45,7 +45,7 @@ fn planned(k: usize, name: &str, bytes: Vec<u8>, joints: bool) -> Option<String>
 #[test]
 fn the_sheet_holds_every_part_with_joints_and_none_without() {
     let mut plans: BTreeMap<String, String> = BTreeMap::new();
-    for (k, (name, bytes)) in small_drawings(NESTS).into_iter().enumerate() {
+    for (k, (name, bytes)) in drawings(SMALL, NESTS).into_iter().enumerate() {
         for (suffix, joints) in [("with", true), ("without", false)] {
             let Some(plan) = planned(k, &name, bytes.clone(), joints) else { continue };
             plans.insert(format!("{name} {suffix}"), plan);

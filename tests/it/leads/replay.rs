@@ -5,8 +5,7 @@
 //! `target/leads`, and `python tests/oracle/leads.py` replays them and writes the fixture.
 
 use crate::testkit::leads::{leads, with_leads};
-use crate::testkit::replayed::{findings, nearest_next, nests};
-use crate::testkit::{files, fixtures, name};
+use crate::testkit::replayed::{drawings, findings, nearest_next};
 use kerfway::job::PlanOptions;
 use kerfway::machine::{LeadKind, preset};
 use std::collections::BTreeMap;
@@ -29,13 +28,6 @@ struct Replayed {
     overcut: f64,
 }
 
-fn drawings() -> Vec<(String, Vec<u8>)> {
-    let folders = ["dxf-dev", "sheets"].map(|f| files(&fixtures().join(f), "dxf")).concat();
-    let mut all: Vec<_> = folders.iter().map(|p| (name(p), std::fs::read(p).unwrap())).collect();
-    all.extend(nests(NESTS));
-    all
-}
-
 /// The plan of a drawing by the nearest next entry; every third drawing has another kind of lead and another overcut, every
 /// second a kerf. `None` for a drawing without anything to cut.
 fn planned(k: usize, name: &str, bytes: Vec<u8>) -> Option<String> {
@@ -47,7 +39,7 @@ fn planned(k: usize, name: &str, bytes: Vec<u8>) -> Option<String> {
 
 #[test]
 fn plans_are_those_that_shapely_replayed() {
-    let plans: BTreeMap<String, String> = drawings()
+    let plans: BTreeMap<String, String> = drawings(usize::MAX, NESTS)
         .into_iter()
         .enumerate()
         .filter_map(|(k, (name, bytes))| Some((name.clone(), planned(k, &name, bytes)?)))

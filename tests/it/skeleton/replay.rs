@@ -5,14 +5,15 @@
 //! `target/skeleton`, and `python tests/oracle/skeleton.py` judges them and writes the fixture.
 
 use super::grid;
-use crate::testkit::replayed::{findings, nests};
-use crate::testkit::{files, fixtures, name};
+use crate::testkit::replayed::{drawings, findings};
 use kerfway::job::{Job, LoadOptions, MachineChoice, OutputKind, PlanOptions};
 use kerfway::machine::{Profile, Skeleton, preset};
 use std::collections::BTreeMap;
 
 /// Number of seeded nests.
-const NESTS: u64 = 30;
+const NESTS: u64 = 100;
+/// Larger drawings would take Shapely minutes, bytes.
+const MOST_BYTES: usize = 1_000_000;
 
 #[derive(serde::Deserialize)]
 struct Judged {
@@ -24,15 +25,6 @@ struct Judged {
     strip: bool,
     /// Faults that were found.
     faults: Vec<String>,
-}
-
-fn drawings() -> Vec<(String, Vec<u8>)> {
-    let folders = ["dxf-dev", "sheets"].map(|f| files(&fixtures().join(f), "dxf")).concat();
-    let small = |p: &std::path::PathBuf| std::fs::metadata(p).is_ok_and(|m| m.len() < 1_000_000);
-    let mut all: Vec<_> =
-        folders.iter().filter(|p| small(p)).map(|p| (name(p), std::fs::read(p).unwrap())).collect();
-    all.extend(nests(NESTS));
-    all
 }
 
 /// The plan of a drawing by the nearest next entry, with the drawing of the remainder. The bed is 30 mm larger than the job and
@@ -72,7 +64,7 @@ fn planned(k: usize, name: &str, bytes: Vec<u8>) -> Option<String> {
 
 #[test]
 fn skeleton_cuts_are_those_that_shapely_judged() {
-    let plans: BTreeMap<String, String> = drawings()
+    let plans: BTreeMap<String, String> = drawings(MOST_BYTES, NESTS)
         .into_iter()
         .enumerate()
         .filter_map(|(k, (name, bytes))| Some((name.clone(), planned(k, &name, bytes)?)))

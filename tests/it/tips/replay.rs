@@ -6,7 +6,7 @@
 
 use super::{all_tip, ignored, tipping};
 use crate::testkit::joints::with_joints;
-use crate::testkit::replayed::{findings, nearest_next, small_drawings};
+use crate::testkit::replayed::{SMALL, drawings, findings, nearest_next};
 use kerfway::job::{Job, LoadOptions, PlanOptions, problem_of};
 use kerfway::machine::{JointRule, Profile, Slats, Tips};
 use std::collections::BTreeMap;
@@ -50,7 +50,7 @@ fn machine(k: usize, avoid: bool) -> Profile {
 #[test]
 fn plans_are_those_that_shapely_replayed() {
     let (mut plans, mut tips) = (BTreeMap::new(), BTreeMap::new());
-    for (k, (name, bytes)) in small_drawings(NESTS).into_iter().enumerate() {
+    for (k, (name, bytes)) in drawings(SMALL, NESTS).into_iter().enumerate() {
         for (suffix, avoid) in [("avoid", true), ("ignore", false)] {
             let (name, machine) = (format!("{name} {suffix}"), machine(k, avoid));
             let options = PlanOptions { allow_off_bed: true, ..PlanOptions::default() };
