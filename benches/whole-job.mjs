@@ -1,10 +1,12 @@
 // Seconds of whole jobs: what the search and each lever of docs/levers.md save against the nearest-next path with holes first on
 // the same preset without levers:
 //
-//     npm run bench -- whole-job [drawings|sheets|nests|kerfed|plates|tips|heat]... [--moves N] [--preset NAME] [--only NAME] [--data FOLDER]
+//     npm run bench -- whole-job [drawings|sheets|nests|kerfed|plates|tips|heat|joint]... [--moves N] [--seconds S] [--seeds K] [--preset NAME] [--only NAME] [--data FOLDER]
 //
 // `tips` is the table of docs/tips.md: what avoiding tipped pieces costs on the four sheets, against lifting the head for every move.
 // `heat` is that of docs/heat.md: what keeping cuts apart costs, against a path that was found without it and waits afterwards.
+// `joint` compares the search that knows leads, or pieces that tip, with "plan, then attach leads" and "plan, then avoid or lift", with as much processor
+// time each: `--seconds` a search on sheets (default 5), a fifth of that on nests, `--seeds` of them (default 5).
 // Drawings are those of tests/fixtures/dxf-dev, and of `FOLDER/dxf-dev` with `--data FOLDER`; sheets are those of benches/data;
 // nests are parts side by side, with a hole each, and `kerfed` are nests one kerf of 0.3 mm apart on machines with that kerf; plates are perforated ones that benches/solve/grids.mjs draws. Budgets are in moves, so the figures do not depend on the
 // machine's load. Every plan is checked.
@@ -17,11 +19,14 @@ import { ROOT, run, Stop } from '../scripts/tools.mjs';
 import { Instances } from './common/data.mjs';
 import { drawings } from './common/drawings.mjs';
 import { drawing, polyline } from './common/dxf.mjs';
-import { median, rows, table } from './common/table.mjs';
+import { mean, median, rows, table } from './common/table.mjs';
 import { drawn } from './solve/grids.mjs';
 
 const HERE = join(ROOT, 'benches', 'solve');
 const NATIVE = join(HERE, 'target', 'release', 'whole_job');
+const JOINT = join(HERE, 'target', 'release', 'joint');
+/** Number of seeded nests. */
+const NESTS = 20;
 /** Cuts through waste of any length: the search takes those that are quicker than what they stand for. */
 const CHAINS = { levers: { chains: { reach: 100 } } };
 /** The same, also from elsewhere on the kerf of the last contour. */
@@ -47,7 +52,7 @@ const LEVERS = {
 const APART = { 'fibre-6kw-thick': ['chains'], 'fibre-3kw-thin': ['chains', 'chains, edge starts'], 'co2-100w': ['chains', 'chains, edge starts'] };
 const PLATES = [['round', 20], ['round', 100], ['staggered', 20], ['slots', 20]];
 /** Tables of one machine each. */
-const TABLES = { tips, heat };
+const TABLES = { tips, heat, joint };
 const SETS = {
   drawings: ({ data, only }) => drawings([join(ROOT, 'tests', 'fixtures', 'dxf-dev'), ...(data ? [join(data, 'dxf-dev')] : [])], only),
   sheets: ({ instances, only = '' }) => [100, 500, 2000].map((n) => `sheets/sheet_${n}.dxf`).filter((f) => f.includes(only)).map((f) => instances.file(f)),
@@ -60,12 +65,12 @@ export async function bench(args) {
   const { values, positionals } = parseArgs({
     args,
     allowPositionals: true,
-    options: { moves: { type: 'string' }, preset: { type: 'string' }, only: { type: 'string' }, data: { type: 'string' } },
+    options: { moves: { type: 'string' }, seconds: { type: 'string' }, seeds: { type: 'string' }, preset: { type: 'string' }, only: { type: 'string' }, data: { type: 'string' } },
   });
   const unknown = positionals.find((name) => !(name in SETS) && !(name in TABLES));
   if (unknown !== undefined) throw new Stop(`There is no set ${unknown}: ${[...Object.keys(SETS), ...Object.keys(TABLES)].join(', ')}.`);
   console.log('bench: the planner, natively');
-  run('cargo', ['build', '--release', '--manifest-path', join(HERE, 'Cargo.toml'), '--bin', 'whole_job']);
+  run('cargo', ['build', '--release', '--manifest-path', join(HERE, 'Cargo.toml'), '--bin', 'whole_job', '--bin', 'joint']);
   const { moves = '1000000', preset: only } = values;
   const options = { ...values, instances: new Instances(values.data) };
   const presets = Object.keys(LEVERS).filter((name) => only === undefined || name === only);
@@ -170,6 +175,30 @@ function heat({ instances, only = '' }, preset, moves) {
     return [basename(file), ...rows(NATIVE, [file, '--machines', machines, '--moves', moves]).map(cell)];
   });
   table(`${preset}, cuts nearer than 20 mm 5 s apart, ${moves} moves`, ['', ...ways.map(([name]) => name)], lines);
+}
+
+/** What deciding together saves against one thing after the other, on the four sheets and on nests. */
+function joint({ instances, only = '', seconds = '5', seeds = '5' }) {
+  const nests = 'nests'.includes(only) ? Array.from({ length: NESTS }, (_, k) => `nest:${k}`) : [];
+  const run = (names, s) => (names.length > 0 ? rows(JOINT, [...names, '--seconds', String(s), '--seeds', seeds]) : []);
+  const all = [...fourSheets(instances, only).flatMap((file) => run([file], Number(seconds))), ...run(nests, Number(seconds) / 5)];
+  const names = [...new Set(all.map((row) => basename(row.name)).map((name) => (name.startsWith('nest:') ? `${NESTS} nests` : name)))];
+  const of = (name, what) => all.filter((row) => row.table === what && (row.name.startsWith('nest:') ? `${NESTS} nests` : basename(row.name)) === name);
+  const saved = (found, key) => {
+    const less = found.map((row) => row[key] - row.joint);
+    return [`${mean(less).toFixed(3)} s`, `${Math.min(...less).toFixed(3)} s`, String(less.filter((s) => s < -1e-6).length)];
+  };
+  const total = (found) => `${mean(found.map((row) => row.joint)).toFixed(1)} s`;
+  const lines = (what, ...keys) => names.map((name) => [name, String(of(name, what).length), total(of(name, what)), ...keys.flatMap((key) => saved(of(name, what), key))]);
+  const columns = (...keys) => ['', 'searches', 'together', ...keys.flatMap((key) => [`less than ${key}`, 'least', 'slower'])];
+  table(`fibre-3kw-thin, arcs of 1.5 mm as leads: together against attached afterwards, ${seconds} s of processor time`, columns('attached'), lines('leads', 'afterwards'));
+  table(`fibre-3kw-thin, pieces that tip: together against avoided afterwards, and always lifted, ${seconds} s of processor time`, columns('avoided', 'lifted'), lines('tips', 'afterwards', 'lifted'));
+  const rate = (found, key) => mean(found.map((row) => row[key]));
+  const speed = (name) => {
+    const found = of(name, 'leads');
+    return [name, `${(rate(found, 'moves_off') / 1e6).toFixed(2)} M/s`, `${(rate(found, 'moves_on') / 1e6).toFixed(2)} M/s`, `${(100 * rate(found, 'rate')).toFixed(0)} %`];
+  };
+  table('Moves per second of processor time, with all options off and with leads', ['', 'off', 'with leads', 'share'], names.map(speed));
 }
 
 /** The sheets with 100 to 10,000 contours whose names hold `only`. */

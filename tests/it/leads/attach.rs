@@ -2,35 +2,15 @@
 //! lead that is nearest to its entry.
 #![allow(clippy::print_stdout, reason = "the comparison is a table")]
 
-use crate::testkit::leads::{leads, oriented, with_leads};
+use crate::testkit::leads::{attached, leads, oriented, with_leads};
 use crate::testkit::sheets::{machine, nested_sheet};
 use crate::testkit::{fixtures, name};
 use kerfway::job::{LoadOptions, problem_of};
 use kerfway::machine::{LeadKind, Profile};
 use kerfway::problem::Problem;
 use kerfway::sheet::{self, Sheet};
-use kerfway::solve::{self, Solution, Stop};
+use kerfway::solve;
 use std::time::{Duration, Instant};
-
-/// The cost of a path that was planned without leads, with leads at the places nearest to its entries.
-fn attached(with: &Problem, without: &Problem, planned: &Solution) -> f64 {
-    let stops = planned.stops.iter().map(|stop| {
-        let item = without.nodes[stop.node as usize].item as usize;
-        let (before, after) = (&without.items[item], &with.items[item]);
-        if after.leads.is_none() {
-            let node = after.nodes.start + (stop.node - before.nodes.start);
-            return Stop { node, ..*stop };
-        }
-        let length = before.track.as_ref().unwrap().length();
-        let off = |n: u32| {
-            let d = (with.nodes[n as usize].along - stop.along).abs();
-            d.min(length - d)
-        };
-        let nearest = after.nodes.clone().min_by(|&a, &b| off(a).total_cmp(&off(b))).unwrap();
-        Stop::at(with, nearest)
-    });
-    Solution::new(with, stops.collect()).cost
-}
 
 fn machine_with_leads(name: &str) -> Profile {
     with_leads(machine(name), leads(LeadKind::Arc, 0.5, 0.2))
