@@ -8,7 +8,8 @@ faults found. `tests/it/levers_replay.rs` then checks that Kerfway still makes t
 
 * it lies in no part, less 5 micrometres (parts: outlines without their holes);
 * it keeps the clearance from every cut but the two that it joins (less the error of the chords, 2 micrometres);
-* it is no longer than the reach, begins where the cut before it ends, or on the kerf of that cut, and ends where the next one begins.
+* it is no longer than the reach, begins where the cut before it ends, on the kerf of that cut, or, at the edge of the sheet, outside of all cuts, and
+  ends where the next one begins.
 
 Needs `pip install shapely`.
 """
@@ -29,6 +30,7 @@ def replay(plan):
     part_tree = shapely.STRtree(parts)
     ids = [k for k in beams if plan["contours"][k]["operation"] == "cut"]
     tree = shapely.STRtree([beams[k] for k in ids])
+    everything = shapely.box(*shapely.union_all([beams[k] for k in ids]).bounds)
     faults, count, edges = [], 0, 0
     at, before, after_cut = tuple(plan["machine"]["home"]), None, False
     for index, move in enumerate(plan["moves"]):
@@ -40,10 +42,14 @@ def replay(plan):
             count, edges = count + 1, edges + (not after_cut)
             if len(chain) != 1 or chain[0].center or shape.length > lever["reach"] + SAME:
                 say("is not straight, or too long")
-            if follows["kind"] != "cut" or before is None or follows["contour"] == before:
+            from_edge = not after_cut and not everything.covers(shapely.Point(start))
+            if follows["kind"] != "cut" or (not from_edge and (before is None or follows["contour"] == before)):
                 say("does not join two cuts")
                 continue
-            if not after_cut and (not lever.get("edge_starts") or beams[before].distance(shapely.Point(start)) > SAME):
+            if math.dist(end, elements(end, follows["path"], CHORD)[0].start) > SAME:
+                say("does not end where the next cut begins")
+            on_kerf = before is not None and beams[before].distance(shapely.Point(start)) <= SAME
+            if not after_cut and (not lever.get("edge_starts") or not (on_kerf or from_edge)):
                 say("does not begin on the kerf of the cut before it")
             for j in part_tree.query(shape):
                 if shape.intersection(parts[j]).length > 0:
