@@ -2,7 +2,7 @@
 
 use super::{Geometry, Run};
 use crate::geometry::{Path, Segment};
-use crate::machine::{AirTime, CornerKind, Profile, cut_time};
+use crate::machine::{AirTime, CornerKind, PLANS_ALL_LEVERS, Profile, cut_time};
 use crate::plan::{AirMoves, Move, Plan, Way};
 use crate::problem::{Item, Span, Stroke};
 use crate::sheet::Sheet;
@@ -79,7 +79,9 @@ impl BestPath {
         }
         path.leads = leads(run);
         path.joints = Geometry::of(joints(run, sheet).iter());
-        path.loops = loops(&plan);
+        if PLANS_ALL_LEVERS {
+            path.loops = loops(&plan);
+        }
         if let Some(zones) = &problem.zones {
             path.tips = zones.pieces().iter().filter_map(|p| p.cut_by.first().copied()).collect();
         }

@@ -2,13 +2,13 @@
 
 use crate::fields::{Fault, FieldError};
 use crate::finding::{Code, Finding, Findings, Severity};
-use crate::machine::{CornerKind, Profile};
+use crate::machine::{CornerKind, PLANS_ALL_LEVERS, Profile};
 use crate::problem::Problem;
 use crate::sheet::Sheet;
 
 /// Every corner that has no room for a loop or an arc, with its place.
 pub(super) fn findings(machine: &Profile, problem: &Problem) -> Vec<Finding> {
-    let Some(lever) = machine.levers.corners else { return Vec::new() };
+    let Some(lever) = machine.levers.corners.filter(|_| PLANS_ALL_LEVERS) else { return Vec::new() };
     let mut all = Findings::default();
     for (contour, leads) in (0_u32..).zip(&problem.items).filter_map(|(id, i)| Some((id, i.leads.as_ref()?)))
     {

@@ -6,7 +6,7 @@
 use super::air::AirMoves;
 use super::model::{Move, Summary, Turn, Way};
 use crate::geometry::{Aabb, DVec2, Segment};
-use crate::machine::{AirTime, CornerKind, Process, Profile, cut_time};
+use crate::machine::{AirTime, CornerKind, PLANS_ALL_LEVERS, Process, Profile, cut_time};
 use crate::sheet::Sheet;
 use std::borrow::Cow;
 
@@ -154,7 +154,9 @@ impl<'a> Sums<'a> {
                 sum.cut_length += path.iter().map(Segment::length).sum::<f64>();
                 sum.lead_length +=
                     [lead_in, overcut, lead_out].into_iter().flatten().map(Segment::length).sum::<f64>();
-                turns.iter().for_each(|turn| add_turn(sum, turn, path));
+                if PLANS_ALL_LEVERS {
+                    turns.iter().for_each(|turn| add_turn(sum, turn, path));
+                }
                 if goes_on {
                     self.motion.extend(path);
                 } else {

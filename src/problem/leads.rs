@@ -7,7 +7,7 @@ use crate::corner::{self, ContourCorners, Corner, turned};
 use crate::geometry::{DVec2, Segment};
 use crate::joint::{self, ContourJoints, Divided, Joint, divided};
 use crate::lead::{ContourLeads, Entry, Fit, Lead, Outcome, Planner, starts_moving};
-use crate::machine::{AirTime, JointKind, Process, Profile, process_time};
+use crate::machine::{AirTime, JointKind, PLANS_ALL_LEVERS, Process, Profile, process_time};
 use crate::sheet::{Contour, Sheet};
 
 /// Least distance of a joint from leads and overcuts, in lengths of a joint.
@@ -45,7 +45,18 @@ pub(super) struct Planners<'s> {
 impl<'s> Planners<'s> {
     pub(super) fn new(sheet: &'s Sheet, machine: &'s Profile) -> Self {
         let (leads, joints) = (Planner::new(sheet, machine), joint::Planner::new(sheet, machine));
-        Self { sheet, machine, leads, joints, corners: corner::Planner::new(sheet, machine) }
+        Self {
+            sheet,
+            machine,
+            leads,
+            joints,
+            corners: if PLANS_ALL_LEVERS { corner::Planner::new(sheet, machine) } else { None },
+        }
+    }
+
+    /// The corners of a contour that may be cut otherwise.
+    fn corners(&self, id: u32) -> ContourCorners {
+        self.corners.as_ref().and_then(|p| p.corners(id)).unwrap_or_default()
     }
 
     /// The joints of a contour, if it may have any.
@@ -73,10 +84,10 @@ impl ItemLeads {
             Some(_) => p.leads_at_rest(id, &places, None),
         });
         let joints = joints.filter(|j| !j.joints.is_empty());
-        let corners = planners.corners.as_ref().and_then(|p| p.corners(id)).unwrap_or_default();
+        let corners = if PLANS_ALL_LEVERS { planners.corners(id) } else { ContourCorners::default() };
         let bare = found.is_none() && joints.is_none();
         let (entries, outcome) = match (found, joints) {
-            (None, None) if corners == ContourCorners::default() => return None,
+            (None, None) if !PLANS_ALL_LEVERS || corners == ContourCorners::default() => return None,
             (None, None) => (
                 places.iter().map(|&along| Entry { along, lead: Lead::default() }).collect(),
                 Outcome::default(),
@@ -91,7 +102,7 @@ impl ItemLeads {
         let mut turns = Vec::new();
         for Entry { along, lead } in entries {
             let mut cut = divided(&lead, &contour.path, along, joints);
-            if !corners.corners.is_empty() {
+            if PLANS_ALL_LEVERS && !corners.corners.is_empty() {
                 turns.push(turn(machine, &process, &mut cut, &corners.corners));
             }
             let (first, last) = (cut.stretches.first()?, cut.stretches.last()?);

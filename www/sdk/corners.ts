@@ -1,5 +1,6 @@
-/** What the beam does at corners, by name: it turns there, cuts a loop through waste, or an arc. */
+/** What is done at the corners of contours. */
 
 import type { CornerKind } from './protocol.js';
 
+/** What the beam does at a corner: it turns there, cuts a loop through waste, or an arc. */
 export const CORNER_KINDS: readonly CornerKind[] = ['stop', 'loop', 'round'];

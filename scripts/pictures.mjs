@@ -1,0 +1,44 @@
+// Makes pictures of the docs with the built package and page: `node scripts/pictures.mjs` after a build. docs/corners.png is written by
+// the command line; docs/tips.png is what the page shows of pieces that tip and of the ways past them.
+
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { dxf, polygon } from '../tests/package/support.mjs';
+import { machineSection, openPlanned, replanned, SIZES, still } from '../tests/browser/page-support.mjs';
+import { main, ROOT, run } from './tools.mjs';
+
+/** A star with five tips, and a window with three notches that point inwards. */
+function star() {
+  const at = (radius, turns) => [70 + radius * Math.sin(2 * Math.PI * turns), 70 + radius * Math.cos(2 * Math.PI * turns)];
+  const outline = Array.from({ length: 10 }, (_, k) => at(k % 2 ? 30 : 60, k / 10));
+  const window = Array.from({ length: 6 }, (_, k) => at(k % 2 ? 7 : 18, k / 6));
+  return dxf(polygon(outline), polygon(window));
+}
+
+/** The star in plate, with loops. */
+function corners(folder) {
+  const file = join(folder, 'star.dxf');
+  writeFileSync(file, star());
+  const options = ['--machine', 'fibre-6kw-plate', '--corners', 'loop', '--hole-corners', 'loop', '--loop-radius', '1.5'];
+  run(process.execPath, [join(ROOT, 'dist', 'sdk', 'cli.js'), 'plan', file, ...options, '--moves', '50000', '--seed', '1', '--png', join(ROOT, 'docs', 'corners.png'), '--quiet']);
+}
+
+/** A sheet of 100 contours on the page: pieces that tip in amber, moves around them, and over them with the head lifted. */
+async function tips() {
+  const drawing = readFileSync(join(ROOT, 'tests', 'fixtures', 'sheets', 'sheet_100.dxf'));
+  const after = [];
+  const page = await openPlanned({ after: (end) => after.push(end) }, 'fibre-3kw-thin', 'sheet_100.dxf', drawing, { size: SIZES.desktop });
+  const machine = await machineSection(page, SIZES.desktop);
+  await replanned(page, () => machine.getByLabel('Mind pieces that tip').check());
+  await replanned(page, () => machine.getByLabel('Lift before moving, lower after it').check());
+  writeFileSync(join(ROOT, 'docs', 'tips.png'), await still(page));
+  for (const end of after) await end();
+}
+
+await main(async () => {
+  const folder = mkdtempSync(join(tmpdir(), 'kerfway-'));
+  corners(folder);
+  rmSync(folder, { recursive: true });
+  await tips();
+});
