@@ -1,14 +1,15 @@
 // Seconds of whole jobs: what the search and each lever of docs/levers.md save against the nearest-next path with holes first on
 // the same preset without levers:
 //
-//     npm run bench -- whole-job [drawings|sheets|nests|kerfed|plates|tips|heat|joint]... [--moves N] [--seconds S] [--seeds K] [--preset NAME] [--only NAME] [--data FOLDER]
+//     npm run bench -- whole-job [drawings|sheets|nests|kerfed|bordered|plates|tips|heat|joint]... [--moves N] [--seconds S] [--seeds K] [--preset NAME] [--only NAME] [--data FOLDER]
 //
 // `tips` is the table of docs/tips.md: what avoiding tipped pieces costs on the four sheets, against lifting the head for every move.
 // `heat` is that of docs/heat.md: what keeping cuts apart costs, against a path that was found without it and waits afterwards.
 // `joint` compares the search that knows leads, or pieces that tip, with "plan, then attach leads" and "plan, then avoid or lift", with as much processor
 // time each: `--seconds` a search on sheets (default 5), a fifth of that on nests, `--seeds` of them (default 5).
 // Drawings are those of tests/fixtures/dxf-dev, and of `FOLDER/dxf-dev` with `--data FOLDER`; sheets are those of benches/data;
-// nests are parts side by side, with a hole each, and `kerfed` are nests one kerf of 0.3 mm apart on machines with that kerf; plates are perforated ones that benches/solve/grids.mjs draws. Budgets are in moves, so the figures do not depend on the
+// nests are parts side by side, with a hole each, `kerfed` are nests one kerf of 0.3 mm apart on machines with that kerf, and `bordered` are nests whose sheet is
+// drawn 10 mm around them; plates are perforated ones that benches/solve/grids.mjs draws. Budgets are in moves, so the figures do not depend on the
 // machine's load. Every plan is checked.
 
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -58,6 +59,7 @@ const SETS = {
   sheets: ({ instances, only = '' }) => [100, 500, 2000].map((n) => `sheets/sheet_${n}.dxf`).filter((f) => f.includes(only)).map((f) => instances.file(f)),
   nests: ({ only = '' }) => [['rectangles', 10], ['discs', 10]].filter(([name, side]) => `${name}_${side * side}`.includes(only)).map(([name, side]) => nest(name, side)),
   kerfed: ({ only = '' }) => [['rectangles', 4], ['rectangles', 10]].filter(([name, side]) => `${name}_${side * side}`.includes(only)).map(([name, side]) => nest(name, side, KERF)),
+  bordered: ({ only = '' }) => [['rectangles', 4], ['rectangles', 10]].filter(([name, side]) => `${name}_${side * side}`.includes(only)).map(([name, side]) => nest(name, side, 8, 10)),
   plates: ({ only = '' }) => PLATES.filter(([name, side]) => `${name}_${side * side}`.includes(only)).map(([name, side]) => drawn(name, side)),
 };
 
@@ -81,12 +83,12 @@ export async function bench(args) {
     }
     const files = SETS[name](options);
     for (const preset of presets) whole(name, preset, files, moves);
-    if (['plates', 'nests', 'kerfed'].includes(name)) for (const file of files) rmSync(dirname(file), { recursive: true });
+    if (['plates', 'nests', 'kerfed', 'bordered'].includes(name)) for (const file of files) rmSync(dirname(file), { recursive: true });
   }
 }
 
-/** Parts side by side, `gap` mm apart, each with a hole of 12 mm: rectangles of 60 x 40 mm, or discs of 50 mm. */
-function nest(name, side, gap = 8) {
+/** Parts side by side, `gap` mm apart, in a sheet that ends `border` mm around them if it is drawn, each with a hole of 12 mm: rectangles of 60 x 40 mm, or discs of 50 mm. */
+function nest(name, side, gap = 8, border = 0) {
   const [width, height] = name === 'discs' ? [50, 50] : [60, 40];
   const round = (x, y, radius) => ['0', 'CIRCLE', '8', 'CUT', '10', x, '20', y, '40', radius];
   const entities = [];
@@ -94,6 +96,10 @@ function nest(name, side, gap = 8) {
     const [x, y] = [10 + (width + gap) * (k % side), 10 + (height + gap) * Math.floor(k / side)];
     const corners = [[0, 0], [width, 0], [width, height], [0, height]].map(([dx, dy]) => [x + dx, y + dy, 0]);
     entities.push(...(name === 'discs' ? round(x + 25, y + 25, 25) : polyline(corners)), ...round(x + width / 2, y + height / 2, 6));
+  }
+  if (border > 0) {
+    const [low, right, top] = [10 - border, 10 - gap + border + (width + gap) * side, 10 - gap + border + (height + gap) * side];
+    entities.push(...polyline([[low, low, 0], [right, low, 0], [right, top, 0], [low, top, 0]], true, 'SHEET'));
   }
   const file = join(mkdtempSync(join(tmpdir(), 'kerfway-')), `${name}_${side * side}.dxf`);
   writeFileSync(file, drawing(entities));

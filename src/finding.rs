@@ -73,6 +73,8 @@ pub enum Code {
     FeatureTooSmall,
     /// Contours share cuts.
     CommonCut,
+    /// A part that is moved to stand one kerf from a neighbour, or that could be.
+    PartShift,
     /// Elements without length were dropped.
     ZeroLength,
     /// A closed shape narrower than the copy tolerance is cut as one line.

@@ -7,7 +7,7 @@ export function drawing(entities) {
 }
 
 /** A polyline of vertices, each with the bulge of what follows it. */
-export function polyline(points, closed = true) {
+export function polyline(points, closed = true, layer = 'CUT') {
   const vertices = points.flatMap(([x, y, bulge]) => ['10', x, '20', y, '42', bulge]);
-  return ['0', 'LWPOLYLINE', '100', 'AcDbEntity', '8', 'CUT', '100', 'AcDbPolyline', '90', points.length, '70', closed ? '1' : '0', ...vertices];
+  return ['0', 'LWPOLYLINE', '100', 'AcDbEntity', '8', layer, '100', 'AcDbPolyline', '90', points.length, '70', closed ? '1' : '0', ...vertices];
 }

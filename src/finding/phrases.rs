@@ -59,6 +59,10 @@ impl Code {
                 Counted("contour is too small for the beam", "contours are too small for the beam")
             }
             Self::CommonCut => Counted("group of contours shares cuts", "groups of contours share cuts"),
+            Self::PartShift => Counted(
+                "part is or could be shifted to a neighbour",
+                "parts are or could be shifted to a neighbour",
+            ),
             Self::ZeroLength => {
                 Counted("element without length was removed", "elements without length were removed")
             }

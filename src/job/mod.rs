@@ -24,6 +24,7 @@ mod read;
 mod report;
 mod run;
 mod sample;
+mod shift;
 #[cfg(feature = "research")]
 mod solving;
 mod tips;
@@ -50,6 +51,7 @@ pub use warm_path::WarmPath;
 use crate::drawing::{Drawing, ReadOptions};
 use crate::fields::{Fault, FieldError};
 use crate::finding::{Code, Finding, Severity};
+use crate::machine::Profile;
 use crate::order::sort_by;
 use crate::sheet::{self, Contour, Sheet, SheetOptions};
 
@@ -179,7 +181,7 @@ impl Job {
         }
         corners::check(&self.sheet, profile)?;
         self.drop_run();
-        let mut findings = self.compensate(placed.profile.kerf_width);
+        let mut findings = self.compensate(&placed.profile);
         let skeleton = self.beam_sheet().with_skeleton(&placed.seen_from_drawing()).map_err(|fault| {
             let message = format!("Skeleton cuts are not possible: {fault}.");
             FieldError::new(Fault::Contradiction, "machine.skeleton", message)
@@ -204,14 +206,18 @@ impl Job {
         self.beam_sheet = None;
     }
 
-    /// Offsets the cuts by half the kerf and returns the findings.
-    fn compensate(&mut self, kerf: f64) -> Vec<Finding> {
+    /// Moves parts if the machine says so, offsets the cuts by half the kerf, and returns the findings.
+    fn compensate(&mut self, machine: &Profile) -> Vec<Finding> {
+        let kerf = machine.kerf_width;
         if kerf <= 0.0 {
             return Vec::new();
         }
-        let (sheet, found) = sheet::compensated(&self.drawing, &self.sheet, &self.sheet_options, kerf);
+        let (moved, mut findings) = shift::shifted(&self.sheet, &self.sheet_options, machine);
+        let drawn = moved.as_ref().unwrap_or(&self.sheet);
+        let (sheet, found) = sheet::compensated(&self.drawing, drawn, &self.sheet_options, kerf);
         self.beam_sheet = Some(sheet);
-        found
+        findings.extend(found);
+        findings
     }
 
     /// The current plan.

@@ -14,6 +14,8 @@ const REACH: Range =
 const CHAIN: Range = Range::new(0.1, 1000.0, "mm", "a cut through more waste takes longer than piercing");
 const CHAIN_CLEARANCE: Range =
     Range::new(0.0, 100.0, "mm", "a chain keeps away from everything that it does not join");
+const SHIFT: Range =
+    Range::new(0.0, 100.0, "mm", "a part that is moved further belongs elsewhere on the sheet");
 const HEIGHT: Range = Range::new(0.1, 500.0, "mm", "a head is lifted over parts that may tip");
 const STAY_DOWN: Range = Range::new(0.0, 1e5, "mm", "short moves are made with the head down");
 
@@ -109,10 +111,19 @@ fn chain_clearance() -> f64 {
 
 /// Common cuts: contours that share cuts are pierced once and cut together, stretch by stretch. Where the beam begins again
 /// on a kerf of theirs, it does not pierce.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
-pub struct SharedCuts {}
+pub struct SharedCuts {
+    /// Parts that would stand one kerf from a neighbour if they were moved by at most this are reported, mm. Default 0: none are.
+    #[serde(default, skip_serializing_if = "crate::fields::is_zero")]
+    #[cfg_attr(test, ts(as = "Option<f64>"))]
+    pub shift: f64,
+    /// These parts are moved. Default false.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    #[cfg_attr(test, ts(as = "Option<bool>"))]
+    pub shift_parts: bool,
+}
 
 /// Lifting the head for moves with the beam off. It is lifted and lowered with the speed of the z axis
 /// ([`Profile::z_speed`](super::Profile::z_speed)).
@@ -220,11 +231,12 @@ impl Levers {
                 ("levers.chains.clearance", c.clearance, CHAIN_CLEARANCE),
             ]
         });
+        let shift = self.common_cuts.map(|c| ("levers.common_cuts.shift", c.shift, SHIFT));
         let tips = self.tips.iter().flat_map(Tips::numbers);
         let heat = self.heat.iter().flat_map(Heat::numbers);
         let corners = self.corners.iter().flat_map(Corners::numbers);
         let motion = [lift, fly, chains].into_iter().flatten().flatten();
-        overcut.into_iter().chain(motion).chain(tips).chain(heat).chain(corners)
+        overcut.into_iter().chain(motion).chain(shift).chain(tips).chain(heat).chain(corners)
     }
 }
 
@@ -245,4 +257,5 @@ const CHAINS: &[Field] = &[
     Field::optional("edge_starts", Kind::Flag),
 ];
 
-const SHARED: &[Field] = &[];
+const SHARED: &[Field] =
+    &[Field::optional("shift", Kind::Number(SHIFT)), Field::optional("shift_parts", Kind::Flag)];

@@ -49,7 +49,7 @@ mod together;
 
 pub use build::build;
 pub use groups::{GroupElement, PierceGroup};
-pub(crate) use kerf::compensated;
+pub(crate) use kerf::{Shift, compensated, shifts};
 pub use model::{
     CommonCuts, Contour, ContourChoice, Group, HandJoint, Ignored, LayerUse, Operation, Part, PassOrder, Pin,
     Sheet, SheetOptions,

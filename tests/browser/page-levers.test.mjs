@@ -148,3 +148,23 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
     assert.equal((await plan(page)).machine.levers, undefined);
   });
 }
+
+for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
+  test(`parts that share sides are cut together, ${size}, ${theme}`, async (t) => {
+    const nest = dxf(...[[0, 0], [20, 0], [0, 20], [20, 20]].map(([x, y]) => square(10 + x, 10 + y, 20)));
+    const page = await openPlanned(t, 'fibre-6kw-thick', 'nest.dxf', nest, { size: SIZES[size], theme, touch: size === 'phone' });
+    const machine = await machineSection(page, SIZES[size]);
+    const shared = machine.getByLabel('Cut shared sides together');
+    await replanned(page, () => shared.check());
+    await shared.scrollIntoViewIfNeeded();
+    await shot(page, `common-cuts-${size}-${theme}`);
+    if (size === 'phone') return;
+    const joined = await plan(page);
+    assert.deepEqual([joined.machine.levers, joined.summary.pierces], [{ common_cuts: {} }, 1]);
+    // What may tip, and what has to cool, is not planned with them.
+    for (const other of ['Mind pieces that tip', 'Let cuts cool']) assert.ok(await machine.getByLabel(other).isDisabled(), other);
+    await replanned(page, () => shared.uncheck());
+    const apart = await plan(page);
+    assert.deepEqual([apart.machine.levers, apart.summary.pierces], [undefined, 4]);
+  });
+}

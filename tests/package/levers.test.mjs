@@ -218,6 +218,17 @@ describe('common cuts', () => {
     assert.match(ran.stdout + ran.stderr, /common-cuts saves/);
     const { machine, summary } = JSON.parse(readFileSync(json, 'utf8'));
     assert.deepEqual([machine.levers, summary.pierces], [{ common_cuts: {} }, 1]);
+    // A tenth of a millimetre more than a kerf apart: offered, and shifted.
+    writeFileSync(file, dxf(square(10, 10, 20), square(30.5, 10, 20)));
+    const shifted = async (option) => {
+      const done = await kerfway('plan', file, '--machine', shop, '--moves', '5000', '--seed', '1', option, '0.5', '--json', json);
+      assert.equal(done.code, 0, done.stderr);
+      const document = JSON.parse(readFileSync(json, 'utf8'));
+      assert.ok(validate(document), JSON.stringify(validate.errors));
+      return [document.machine.levers.common_cuts, document.summary.pierces, document.findings.filter((f) => f.code === 'part-shift').map((f) => f.message)];
+    };
+    assert.deepEqual(await shifted('--offer-shifts'), [{ shift: 0.5 }, 2, ['Shifted by (-0.100, 0.000) mm, this part would stand one kerf from a neighbour. It stays where it is drawn.']]);
+    assert.deepEqual(await shifted('--shift-parts'), [{ shift: 0.5, shift_parts: true }, 1, ['This part is shifted by (-0.100, 0.000) mm, so that it stands one kerf from a neighbour.']]);
   });
 });
 

@@ -36,7 +36,7 @@ pub(crate) fn thick() -> Profile {
 
 /// The same without pre-cuts: what shares cuts is cut as one by `levers.common_cuts`.
 pub(crate) fn together() -> Profile {
-    let levers = Levers { common_cuts: Some(SharedCuts {}), ..Levers::default() };
+    let levers = Levers { common_cuts: Some(SharedCuts::default()), ..Levers::default() };
     Profile { pre_cut_time: None, levers, ..thick() }
 }
 

@@ -1182,7 +1182,28 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
                     },
                     {
                       "kind": {
-                        "object": []
+                        "object": [
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.0,
+                                "most": 100.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "a part that is moved further belongs elsewhere on the sheet"
+                              }
+                            },
+                            "name": "shift",
+                            "nullable": false,
+                            "required": false
+                          },
+                          {
+                            "kind": "flag",
+                            "name": "shift_parts",
+                            "nullable": false,
+                            "required": false
+                          }
+                        ]
                       },
                       "name": "common_cuts",
                       "nullable": true,

@@ -18,6 +18,9 @@ mod clearance;
 mod findings;
 mod offset;
 mod raw;
+mod shift;
+
+pub(crate) use shift::{Shift, shifts};
 
 use super::build::{find_groups, length_or};
 use super::clean::clean;

@@ -19,4 +19,5 @@ mod made;
 mod of_all_kinds;
 mod one_kerf_apart;
 mod outlines_alone;
+mod shifted;
 mod together;

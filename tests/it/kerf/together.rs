@@ -4,6 +4,7 @@ use super::made::{KERF, bulged, rounded, spaced, started};
 use crate::testkit::leads::{leads, with_leads};
 use crate::testkit::outlines::drawing;
 use crate::testkit::plates::rectangle;
+use crate::testkit::rng::seeded;
 use kerfway::finding::Code;
 use kerfway::geometry::{DVec2, Segment};
 use kerfway::job::{Job, JobError, LoadOptions, MachineChoice, OutputKind, PlanOptions};
@@ -12,10 +13,11 @@ use kerfway::machine::{Chains, Fly, LeadKind, Levers, Profile, SharedCuts, Tips,
 use kerfway::output::{self, SheetFacts};
 use kerfway::plan::{self, Move, Plan, Violation};
 use kerfway::sheet::{CommonCuts, Sheet};
+use rand::RngExt;
 
 /// A preset with a kerf, and what shares cuts cut together.
-fn together(name: &str) -> Profile {
-    let levers = Levers { common_cuts: Some(SharedCuts {}), ..Levers::default() };
+pub(super) fn together(name: &str) -> Profile {
+    let levers = Levers { common_cuts: Some(SharedCuts::default()), ..Levers::default() };
     Profile { kerf_width: KERF, pre_cut_time: None, levers, ..preset(name).unwrap() }
 }
 
@@ -196,6 +198,63 @@ fn with_leads_they_are_pierced_in_the_waste() {
             }
         }
     }
+}
+
+/// A rectangle cut in two again and again, the parts some way apart, some left out and some with a hole.
+pub(super) fn random(seed: u64, gap: f64) -> Vec<Vec<DVec2>> {
+    let mut rng = seeded(seed);
+    let mut below = |n: i32| rng.random_range(0..n);
+    let mut all = vec![[100.0, 100.0, 90.0, 70.0]];
+    for _ in 0..2 + below(9) {
+        let k = below(all.len() as i32) as usize;
+        let [x, y, w, h] = all[k];
+        let share = 0.3 + 0.1 * f64::from(below(5));
+        if w > h && w > 16.0 {
+            let part = (share * w).round();
+            all[k] = [x, y, part, h];
+            all.push([x + part + gap, y, w - part - gap, h]);
+        } else if h > 16.0 {
+            let part = (share * h).round();
+            all[k] = [x, y, w, part];
+            all.push([x, y + part + gap, w, h - part - gap]);
+        }
+    }
+    if all.len() > 3 && below(2) == 0 {
+        all.remove(below(all.len() as i32) as usize);
+    }
+    let hole = |[x, y, w, h]: [f64; 4]| rectangle([x + 0.3 * w, y + 0.3 * h, 0.4 * w, 0.4 * h]);
+    let holes: Vec<_> = all.iter().filter(|_| below(3) == 0).map(|r| hole(*r)).collect();
+    all.iter().map(|r| rectangle(*r)).chain(holes).collect()
+}
+
+#[test]
+fn of_forty_nests_every_plan_and_program_is_sound_and_none_is_slower() {
+    let (mut grouped, mut saved) = (0, 0.0);
+    for seed in 0..40 {
+        let bytes = drawing(&random(seed, KERF));
+        let bare = together(if seed % 2 == 0 { "fibre-6kw-thick" } else { "fibre-3kw-thin" });
+        let led = with_leads(bare.clone(), leads(LeadKind::Line, 1.0, 0.0));
+        for machine in [bare, led] {
+            let job = started(bytes.clone(), machine.clone());
+            let (sheet, plan) = of(&job);
+            let text = job.output(OutputKind::Gcode).unwrap();
+            let check = output::check_against(&text, &machine, &plan).unwrap();
+            assert!(check.passed, "seed {seed}: {:?}", check.problems);
+            // Every line once: as long as the contours, with their leads.
+            let all: f64 = sheet.contours.iter().filter(|c| c.is_processed()).map(|c| c.length).sum();
+            let cut = plan.summary.cut_length - plan.summary.lead_length;
+            assert!((cut - all).abs() < 1e-6, "seed {seed}: {cut} {all}");
+            grouped += usize::from(on_kerfs(&plan) > 0 || plan.summary.pierces < plan.summary.contours);
+            let alone = started(bytes.clone(), one_by_one(&machine)).plan().unwrap().summary;
+            // One by one, what is left of a shared outline is open, and begins on the other one without a lead.
+            if machine.leads.is_none() {
+                let (now, before) = (plan.summary.total_time, alone.total_time);
+                assert!(now <= before + 1e-9, "seed {seed}: {now} {before}");
+                saved += 1.0 - now / before;
+            }
+        }
+    }
+    assert!(grouped >= 60 && saved > 4.0, "{grouped} {saved}");
 }
 
 /// Violations after a change to the moves of a grid, the sums brought in line.

@@ -80,7 +80,10 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
     if (on) l.common_cuts = {};
     else delete l.common_cuts;
   }));
-  const aboutShared = h('p', { class: 'soft' }, w.aboutShared);
+  const sharing = (change: Partial<NonNullable<Levers['common_cuts']>>) => set((l) => (l.common_cuts = { ...l.common_cuts, ...change }));
+  const shift = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => sharing({ shift: value }));
+  const shiftParts = check(w.shiftParts, (on) => sharing({ shift_parts: on }));
+  const aboutShared = h('div', { class: 'stack' }, field(w.shift, shift.input, 'mm'), shiftParts.root, h('p', { class: 'soft' }, w.aboutShared));
   const tips = tipsPanel((change) => set((l, m) => {
     if (!change) {
       delete l.tips;
@@ -132,6 +135,10 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
       // What is left unfinished for others, may tip or has to cool is not planned with them.
       shared.input.disabled = !levers?.common_cuts && (typeof pre_cut_time === 'number' || levers?.tips != null || levers?.heat != null);
       aboutShared.hidden = !levers?.common_cuts;
+      shift.show(levers?.common_cuts?.shift ?? 0);
+      shiftParts.input.checked = levers?.common_cuts?.shift_parts === true;
+      // There is nothing to shift without a distance.
+      shiftParts.root.hidden = !levers?.common_cuts?.shift;
       lift.input.checked = Boolean(lifting);
       about.hidden = !lifting;
       height.show(lifting?.height ?? LIFT.height);

@@ -126,6 +126,8 @@ const LEVERS: Options = {
   'chain-clearance': { value: 'MM', about: 'with --chains: least distance of these cuts from other contours (default 1)' },
   'edge-starts': { about: 'with --chains: begin cuts through waste on the kerf of the last contour and at the edge of the sheet, too, without piercing' },
   'shared-cuts': { about: 'cut contours that share cuts, such as parts one kerf apart, together: pierced once, on any machine' },
+  'offer-shifts': { value: 'MM', about: 'with a kerf: say which parts would stand one kerf from a neighbour if they were shifted by at most this' },
+  'shift-parts': { value: 'MM', about: 'shift these parts, each by at most this' },
   corners: { value: CORNER_KINDS.join('|'), about: 'at corners of parts, cut a loop through waste or an arc instead of turning, where that is quicker', choices: CORNER_KINDS },
   'hole-corners': { value: CORNER_KINDS.join('|'), about: 'the same at corners of holes (default stop)', choices: CORNER_KINDS },
   'loop-radius': { value: 'MM', about: 'radius of loops at corners (default 2)' },

@@ -81,13 +81,17 @@ function sizes(values: Words['values'], name: string): [number, number] | undefi
 /** The machine with the levers that the options ask for. */
 function withLevers(values: Words['values'], machine: MachineProfile): MachineProfile {
   const [overcut, height, down, speed, reach, again, chain, clearance] = ['moving-pierce', 'lift', 'stay-down', 'z-speed', 'fly', 'fly-overcut', 'chains', 'chain-clearance'].map((option) => number(values, option));
+  const [offered, moved] = [number(values, 'offer-shifts'), number(values, 'shift-parts')];
   const atRest = values['lift-at-rest'] === true, tips = tipsOf(values, machine), heat = heatOf(values, machine), corners = cornersOf(values, machine);
-  if ([overcut, height, down, speed, reach, again, chain, clearance, tips, heat, corners].every((value) => value === undefined) && !atRest && values['edge-starts'] !== true && values['shared-cuts'] !== true) return machine;
+  if ([overcut, height, down, speed, reach, again, chain, clearance, tips, heat, corners, offered, moved].every((value) => value === undefined) && !atRest && values['edge-starts'] !== true && values['shared-cuts'] !== true) return machine;
   const levers = { ...machine.levers };
   if (tips !== undefined) levers.tips = tips;
   if (heat !== undefined) levers.heat = heat;
   if (corners !== undefined) levers.corners = corners;
-  if (values['shared-cuts'] === true) levers.common_cuts = {};
+  if (values['shared-cuts'] === true) levers.common_cuts = { ...levers.common_cuts };
+  // A shift that is made need not be offered.
+  const shift = moved ?? offered;
+  if (shift !== undefined) levers.common_cuts = { ...levers.common_cuts, shift, ...(moved !== undefined && { shift_parts: true }) };
   if (overcut !== undefined) levers.moving_pierce = { overcut };
   // Without a reach, the overcut changes that of the machine's own fly cuts.
   const flown = reach === undefined ? levers.fly : { reach };

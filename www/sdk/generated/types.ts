@@ -46,7 +46,7 @@ export interface EntityKindCount {
 export type Severity = "info" | "warning" | "error";
 
 /** The kind of a finding. Written in kebab case in JSON (`unsupported-entity`). Later versions may add codes. */
-export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "lead-adjusted" | "lead-missing" | "joint-adjusted" | "joint-missing" | "corner-stopped" | "far-from-origin" | "off-bed" | "least-power-left-out" | "risky-moves" | "hot-pairs" | "not-all-checked" | "more";
+export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "part-shift" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "lead-adjusted" | "lead-missing" | "joint-adjusted" | "joint-missing" | "corner-stopped" | "far-from-origin" | "off-bed" | "least-power-left-out" | "risky-moves" | "hot-pairs" | "not-all-checked" | "more";
 
 /** One finding. */
 export interface Finding {
@@ -318,7 +318,12 @@ export interface Chains {
  * Common cuts: contours that share cuts are pierced once and cut together, stretch by stretch. Where the beam begins again
  * on a kerf of theirs, it does not pierce.
  */
-export type SharedCuts = Record<symbol, never>;
+export interface SharedCuts {
+  /** Parts that would stand one kerf from a neighbour if they were moved by at most this are reported, mm. Default 0: none are. */
+  shift?: number,
+  /** These parts are moved. Default false. */
+  shift_parts?: boolean,
+}
 
 /**
  * Lifting the head for moves with the beam off. It is lifted and lowered with the speed of the z axis
