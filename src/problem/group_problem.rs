@@ -6,7 +6,7 @@
 
 use super::beside::{Beside, beside};
 use crate::geometry::{DVec2, Path};
-use crate::machine::Profile;
+use crate::machine::{PLANS_ALL_LEVERS, Profile};
 use crate::sheet::{CommonCuts, PierceGroup, Sheet};
 
 /// The pierce groups of a sheet that a machine cuts as one.
@@ -75,7 +75,7 @@ pub fn group_problems<'m>(sheet: &Sheet, machine: &'m Profile) -> GroupProblems<
             CommonCuts::Insertion => GroupMethod::Insertion,
             CommonCuts::Best | CommonCuts::Off => GroupMethod::Best,
         },
-        from_outside: !machine.makes_pre_cuts() && sheet.asks_for_leads(machine),
+        from_outside: PLANS_ALL_LEVERS && !machine.makes_pre_cuts() && sheet.asks_for_leads(machine),
         is_all: matches!(groups, [only] if only.contours.len() == worked),
         groups: groups.iter().zip(beside).map(|(g, beside)| group_problem(g, beside)).collect(),
     }

@@ -7,7 +7,7 @@ use super::seconds::seconds_alone;
 use super::sub_path::{Stroke, SubPath};
 use crate::geometry::{Aabb, Segment, winding_number};
 use crate::lead::Planner;
-use crate::machine::{Profile, air_time, process_time};
+use crate::machine::{PLANS_ALL_LEVERS, Profile, air_time, process_time};
 use crate::sheet::{Contour, PierceGroup, Sheet};
 
 /// The pierce groups of a sheet that are cut as one, with the paths through each.
@@ -29,7 +29,7 @@ pub(super) struct PierceGroups<'s> {
 fn pays(sheet: &Sheet, machine: &Profile, group: &PierceGroup, paths: &[SubPath]) -> bool {
     let contours = group.contours.iter().filter_map(|&c| sheet.contours.get(c as usize));
     let alone: f64 = contours.map(|c| seconds_alone(sheet, machine, c)).sum();
-    machine.makes_pre_cuts() || paths.iter().any(|path| path.seconds < alone)
+    !PLANS_ALL_LEVERS || machine.makes_pre_cuts() || paths.iter().any(|path| path.seconds < alone)
 }
 
 /// The pairs of paths that begin with a lead-in; without one, if none does.
@@ -75,7 +75,7 @@ impl<'s> PierceGroups<'s> {
         leads: Option<&Planner>,
         paths: &[Vec<SubPath>],
     ) -> Self {
-        let leads = leads.filter(|_| !machine.makes_pre_cuts());
+        let leads = leads.filter(|_| PLANS_ALL_LEVERS && !machine.makes_pre_cuts());
         let none = vec![None; sheet.contours.len()];
         let in_one_go = in_one_go(sheet, machine);
         let mut all =

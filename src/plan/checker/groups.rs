@@ -9,7 +9,7 @@ use super::coverage::leads;
 use super::tolerance::{SAME, rounding};
 use super::violation::Violation;
 use crate::geometry::{DVec2, Path, Segment, winding_number};
-use crate::machine::Profile;
+use crate::machine::{PLANS_ALL_LEVERS, Profile};
 use crate::plan::model::{Move, Plan};
 use crate::sheet::{PierceGroup, Sheet};
 
@@ -56,7 +56,8 @@ impl<'s> Groups<'s> {
     /// Those that the plan cuts as one: all of them on a machine with pre-cuts, none on one that cuts every contour by itself, and
     /// otherwise those of which some contour is not cut whole by itself.
     pub(super) fn new(sheet: &'s Sheet, machine: &Profile, plan: &Plan) -> Self {
-        let pre_cuts = machine.makes_pre_cuts();
+        // Builds without the lever refuse machines with it.
+        let pre_cuts = !PLANS_ALL_LEVERS || machine.makes_pre_cuts();
         let mut of = vec![None; sheet.contours.len()];
         let mut work = Vec::new();
         let alone = if pre_cuts { Vec::new() } else { cut_alone(sheet, plan) };

@@ -11,7 +11,7 @@ use super::macros::joined;
 use super::tolerance::SAME;
 use super::violation::Violation;
 use crate::geometry::{DVec2, Path, Segment, math};
-use crate::machine::{LeadKind, LeadRule, LeadSide, Profile};
+use crate::machine::{LeadKind, LeadRule, LeadSide, PLANS_ALL_LEVERS, Profile};
 use crate::plan::model::{Move, Plan};
 use crate::sheet::{Contour, Operation, Sheet};
 use std::f64::consts::PI;
@@ -93,7 +93,7 @@ pub(super) fn check(
         let mut fault = |what, at| found.push(Violation::Lead { step, contour: *contour, what, at });
         let start = path.first().map_or(DVec2::ZERO, Segment::start);
         let [lead_in, on, again, lead_out] = leads.divide(path);
-        if groups.holds(*contour) && !leads.is_empty() && !machine.makes_pre_cuts() {
+        if PLANS_ALL_LEVERS && groups.holds(*contour) && !leads.is_empty() && !machine.makes_pre_cuts() {
             let straight = matches!(lead_in, [Segment::Line(_)]) && again.is_empty() && lead_out.is_empty();
             let pierced = step > 0 && plan.moves.get(step - 1) == Some(&Move::Pierce);
             if !straight || !pierced || !asked_of_outline(sheet, machine, *contour, known) {

@@ -2,7 +2,7 @@
 
 use super::bridged;
 use crate::geometry::{DVec2, Segment};
-use crate::machine::{AirTime, Profile, process_time};
+use crate::machine::{AirTime, PLANS_ALL_LEVERS, Profile, process_time};
 use crate::problem::GroupProblem;
 
 /// An element with a direction: twice its index, plus one if it is cut against its stored direction.
@@ -220,7 +220,7 @@ impl<'s> Net<'s> {
 
     /// Whether the beam begins again on any kerf of the group, without a pre-cut: where the machine makes none.
     pub(super) fn starts_on_kerfs(&self) -> bool {
-        !self.machine.makes_pre_cuts()
+        PLANS_ALL_LEVERS && !self.machine.makes_pre_cuts()
     }
 
     /// Seconds of a pre-cut; 0 where the machine makes none.
