@@ -84,19 +84,19 @@ fn scattered(dice: &mut Dice, k: u64) -> Problem {
     }
 }
 
-/// Is never above the optimum, and on problems this small nearly there.
+/// Is never above the optimum, and proves it, also where the known path is up to 1 % longer.
 #[test]
 fn scattered_items() {
     let mut dice = Dice::new(5);
-    let (mut sum, mut sum_least) = (0.0, 0.0);
-    for k in 0..300 {
+    for k in 0..600 {
         let problem = scattered(&mut dice, k);
         let least = solve::exact(&problem).unwrap().cost;
-        let found = bound(&problem, least, 3_000_000, 10_000);
-        assert!(found <= least * (1.0 + 1e-12), "{k}: {found} above {least}");
-        (sum, sum_least) = (sum + found, sum_least + least);
+        for longer in [1.0, 1.01] {
+            let found = bound(&problem, longer * least, 3_000_000, 10_000);
+            assert!(found <= least * (1.0 + 1e-12), "{k}: {found} above {least}");
+            assert!(found >= least * (1.0 - 1e-9), "{k}, {longer}: {found} of {least} proven");
+        }
     }
-    assert!(sum >= 0.998 * sum_least, "{sum} of {sum_least} proven");
 }
 
 #[test]
@@ -155,7 +155,8 @@ fn entries_anywhere() {
         let least = solve::exact(&at_nodes(dense)).unwrap().cost;
         let found = bound(&problem, least, 30_000_000, 100_000);
         assert!(found <= least * (1.0 + 1e-12), "{seed}: {found} above {least}");
-        assert!(found >= 0.97 * least, "{seed}: {found} far below {least}");
+        // What 60 places on a contour lack of all.
+        assert!(found >= 0.99 * least, "{seed}: {found} far below {least}");
     }
 }
 
@@ -253,40 +254,41 @@ fn qu_and_du(name: &str, closed: bool, boundary: bool) -> Problem {
     }
 }
 
-/// The optima (or best known values: the third and the last two) were found and proven by a mixed-integer programme.
+/// All are proven. For the third and the last two, another solver left a gap.
 #[test]
 fn points_of_the_43_contours() {
     let (euclid, chebyshev) = ("length", "length-chebyshev");
     let cases = [
-        (euclid, false, false, 2545.445, 0.15),
-        (euclid, true, false, 2819.222, 0.015),
-        (euclid, false, true, 2550.624, 0.25),
-        (euclid, true, true, 2821.939, 0.1),
-        (chebyshev, false, false, 2205.600, 0.25),
-        (chebyshev, true, false, 2448.600, 0.1),
-        (chebyshev, false, true, 2214.500, 0.25),
-        (chebyshev, true, true, 2460.600, 0.25),
+        (euclid, false, false, 2545.445),
+        (euclid, true, false, 2819.222),
+        (euclid, false, true, 2550.624),
+        (euclid, true, true, 2821.939),
+        (chebyshev, false, false, 2205.600),
+        (chebyshev, true, false, 2448.600),
+        (chebyshev, false, true, 2214.500),
+        (chebyshev, true, true, 2460.600),
     ];
-    for (name, closed, boundary, optimum, gap) in cases {
+    for (name, closed, boundary, optimum) in cases {
         let problem = qu_and_du(name, closed, boundary);
         // The table gives three decimals.
         let upper = optimum + 0.0005;
-        let found = bound(&problem, upper, 600_000_000, 5_000_000);
+        let found = bound(&problem, upper, 12_000_000_000, 5_000_000);
         assert!(found <= upper, "{name} {closed} {boundary}: {found} above {optimum}");
-        assert!(upper <= (1.0 + gap) * found, "{name} {closed} {boundary}: {found} of {optimum}");
+        assert!(found >= optimum - 0.0005, "{name} {closed} {boundary}: {found} of {optimum}");
     }
 }
 
-/// 2,782.583 mm, and 2,496.054 without the way home, are the best known with entries anywhere.
+/// 2,782.580 mm, and 2,496.054 without the way home, are proven with entries anywhere.
 #[test]
 fn the_43_contours_entered_anywhere() {
     let bytes = include_bytes!("../fixtures/qu-du-43/qu_du_43.dxf");
     let drawing = kerfway::dxf::read(bytes, &kerfway::drawing::ReadOptions::default()).unwrap();
     let sheet = kerfway::sheet::build(&drawing, &kerfway::sheet::SheetOptions::default());
-    for (return_home, known, work) in [(true, 2782.583, 6_000_000_000), (false, 2496.054, 12_000_000_000)] {
+    for (return_home, known) in [(true, 2782.5805), (false, 2496.054)] {
         let problem = problem_of(&sheet, &Profile { return_home, ..machine("length") });
-        let found = bound(&problem, known, work, 5_000_000);
-        assert!(found <= known && known <= 1.03 * found, "{return_home}: {found}");
+        let found = bound(&problem, known, 60_000_000_000, 5_000_000);
+        eprintln!("{found}");
+        assert!(found <= known && found >= known * (1.0 - 1e-6), "{return_home}: {found}");
     }
 }
 

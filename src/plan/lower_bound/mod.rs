@@ -58,6 +58,7 @@ mod cheap;
 mod minorant;
 mod net;
 mod order;
+mod orders;
 mod pairs;
 mod prices;
 mod rounds;

@@ -19,6 +19,8 @@ pub(super) struct Piece {
     pub(super) off: f64,
     /// The box around all of it.
     pub(super) around: Aabb,
+    /// The arc length along the track where it ends, mm, which may be beyond the end of the track; 0 without a track.
+    to: f64,
 }
 
 /// Something to be visited.
@@ -77,7 +79,7 @@ fn of_item(problem: &Problem, item: &problem::Item) -> Item {
         for s in &path.segments {
             starts.push(starts[starts.len() - 1] + s.length());
         }
-        return ring(Track { path: path.clone(), starts }, along);
+        return ring(Track { path: path.clone(), starts }, &along);
     }
     if problem.table().is_some() || nodes.iter().all(|n| n.entry == n.exit) {
         return points(&nodes.iter().map(|n| n.entry).collect::<Vec<_>>(), false);
@@ -95,26 +97,44 @@ fn points(places: &[DVec2], paired: bool) -> Item {
     let pieces: Vec<Piece> = places
         .iter()
         .enumerate()
-        .map(|(k, &p)| Piece { knots: [k; 2], ends: [p; 2], off: 0.0, around: Aabb::of(p) })
+        .map(|(k, &p)| Piece { knots: [k; 2], ends: [p; 2], off: 0.0, around: Aabb::of(p), to: 0.0 })
         .collect();
     Item { knots: places.len(), paired, along: Vec::new(), track: None, around: hull(&pieces), pieces }
 }
 
-fn ring(track: Track, along: Vec<f64>) -> Item {
-    let places: Vec<DVec2> = along.iter().filter_map(|&s| track.path.at(s)).collect();
-    let count = places.len();
-    let length = track.starts[track.starts.len() - 1];
-    let pieces: Vec<Piece> = (0..count)
-        .map(|k| {
-            let next = (k + 1) % count;
-            let to = if next > k { along[next] } else { along[next] + length };
-            let ends = [places[k], places[next]];
-            let off = track.off_chord(along[k], to, ends);
-            let around = Aabb::of(ends[0]).with(ends[1]).grown(off);
-            Piece { knots: [k, next], ends, off, around }
-        })
-        .collect();
-    Item { knots: count, paired: false, along, track: Some(track), around: hull(&pieces), pieces }
+/// A stretch of a track between the arc lengths of two knots. `to`: the same as `end`, or a lap more.
+#[derive(Clone, Copy, Debug)]
+struct Stretch {
+    start: f64,
+    end: f64,
+    to: f64,
+}
+
+/// All of a closed track, divided at these arc lengths.
+fn ring(track: Track, along: &[f64]) -> Item {
+    let length = track.length();
+    let stretch = |k: usize| {
+        let end = along[(k + 1) % along.len()];
+        Stretch { start: along[k], end, to: if k + 1 < along.len() { end } else { end + length } }
+    };
+    of_stretches(track, &(0..along.len()).map(stretch).collect::<Vec<_>>())
+}
+
+/// The item of these stretches of its track.
+fn of_stretches(track: Track, stretches: &[Stretch]) -> Item {
+    let mut along: Vec<f64> = stretches.iter().flat_map(|s| [s.start, s.end]).collect();
+    sort_by(&mut along, |&s| [real(s), 0, 0]);
+    along.dedup_by(|a, b| a.to_bits() == b.to_bits());
+    let at = |s: f64| track.path.at(s).unwrap_or_default();
+    let piece = |s: &Stretch| {
+        let ends = [at(s.start), at(s.end)];
+        let off = track.off_chord(s.start, s.to, ends);
+        let knots = [s.start, s.end].map(|x| along.partition_point(|&a| a < x));
+        Piece { knots, ends, off, around: Aabb::of(ends[0]).with(ends[1]).grown(off), to: s.to }
+    };
+    let pieces: Vec<Piece> = stretches.iter().map(piece).collect();
+    let around = hull(&pieces);
+    Item { knots: along.len(), paired: false, along, track: Some(track), around, pieces }
 }
 
 fn hull(pieces: &[Piece]) -> Aabb {
@@ -131,43 +151,53 @@ impl Item {
     #[cfg(feature = "research")]
     pub(super) fn with_knots(&self, along: &[f64]) -> Option<Self> {
         let Some(track) = &self.track else { return along.is_empty().then(|| self.clone()) };
-        let length = track.starts[track.starts.len() - 1];
+        let length = track.length();
         let inside = along.iter().all(|s| (0.0..length).contains(s)) && along.windows(2).all(|w| w[0] < w[1]);
         if along.is_empty() || !inside {
             return None;
         }
-        Some(ring(track.clone(), along.to_vec())).filter(|item| item.knots == along.len())
+        Some(ring(track.clone(), along)).filter(|item| item.knots == along.len())
     }
 
-    /// The same item with the marked pieces halved.
+    /// The same item with the marked pieces halved; `None` without a track.
     pub(super) fn halved(&self, marked: &[bool]) -> Option<Self> {
+        self.finer(marked, &vec![true; self.knots])
+    }
+
+    /// The same item with the marked pieces halved, and without the pieces that touch no knot in use; `None` without a track.
+    pub(super) fn finer(&self, marked: &[bool], in_use: &[bool]) -> Option<Self> {
         let track = self.track.as_ref()?;
-        let length = track.starts[track.starts.len() - 1];
-        let mut along = Vec::with_capacity(2 * self.knots);
-        for (k, &s) in self.along.iter().enumerate() {
-            along.push(s);
-            let to = self.along.get(k + 1).copied().unwrap_or(self.along[0] + length);
-            if marked[k] {
-                along.push(0.5 * (s + to));
+        let length = track.length();
+        let mut stretches = Vec::with_capacity(2 * self.pieces.len());
+        for (piece, &marked) in self.pieces.iter().zip(marked) {
+            let [start, end] = piece.knots.map(|k| self.along[k]);
+            if !piece.knots.iter().any(|&k| in_use[k]) {
+                continue;
+            }
+            if marked {
+                let middle = 0.5 * (start + piece.to);
+                // Past the end of the track, its beginning.
+                let lap = if middle >= length { length } else { 0.0 };
+                stretches.push(Stretch { start, end: middle - lap, to: middle });
+                stretches.push(Stretch { start: middle - lap, end, to: piece.to - lap });
+            } else {
+                stretches.push(Stretch { start, end, to: piece.to });
             }
         }
-        // A new knot past the end of the path wraps around to its beginning.
-        if let Some(&last) = along.last()
-            && last >= length
-        {
-            along.rotate_right(1);
-            along[0] -= length;
-        }
-        Some(ring(track.clone(), along))
+        Some(of_stretches(track.clone(), &stretches))
     }
 }
 
 impl Track {
+    fn length(&self) -> f64 {
+        self.starts[self.starts.len() - 1]
+    }
+
     /// Largest distance between the track from `from` to `to` (which may go beyond its end) and its chord, both run at
     /// even speed, mm. Between element ends the distance to a straight element is greatest at an end; a curve of radius
     /// r and length h lies within h^2 / 8 r of its own chord.
     fn off_chord(&self, from: f64, to: f64, ends: [DVec2; 2]) -> f64 {
-        let length = self.starts[self.starts.len() - 1];
+        let length = self.length();
         let span = to - from;
         if span <= 0.0 {
             return 0.0;

@@ -63,7 +63,7 @@ impl Space {
         }
         // State led to, item left, state left.
         let mut legs: Vec<[usize; 3]> = Vec::new();
-        let mut known: Vec<Option<(usize, usize)>> = vec![None; count];
+        let mut known: Vec<Option<(usize, usize)>> = Vec::new();
         let mut s = 0;
         while s < space.states.len() {
             if space.states.len() * count > MOST_LEGS {
@@ -90,13 +90,7 @@ impl Space {
                 step.sources.end += 1;
             } else {
                 if space.steps.last().is_none_or(|l| l.to != to) {
-                    known.fill(None);
-                    for &(e, side) in &pairs.of[space.states[to].item] {
-                        // Of two tables, one each way, that for legs to this item; backwards: from it.
-                        if !directed || (side == 1) != backwards {
-                            known[pairs.list[e].items[1 - side]] = Some((e, 1 - side));
-                        }
-                    }
+                    known = Self::legs_to(pairs, space.states[to].item, directed, backwards);
                 }
                 let start = space.sources.len();
                 space.steps.push(Step { from, to, pair: known[from], sources: start..start + 1 });
@@ -104,6 +98,23 @@ impl Space {
             space.sources.push(source);
         }
         Some(space)
+    }
+
+    /// The pairs that have a table of the legs to an item, by the item left, and which of the two items of the pair is left.
+    pub(super) fn legs_to(
+        pairs: &Pairs,
+        to: usize,
+        directed: bool,
+        backwards: bool,
+    ) -> Vec<Option<(usize, usize)>> {
+        let mut known = vec![None; pairs.of.len()];
+        for &(e, side) in &pairs.of[to] {
+            // Of two tables, one each way, that for legs to this item; backwards: from it.
+            if !directed || (side == 1) != backwards {
+                known[pairs.list[e].items[1 - side]] = Some((e, 1 - side));
+            }
+        }
+        known
     }
 
     /// Lays the knots of all states out in a row.

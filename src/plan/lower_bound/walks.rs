@@ -35,6 +35,11 @@ impl Pass {
     pub(super) fn rows(&self) -> usize {
         self.rows.len()
     }
+
+    /// The row after so many stops.
+    pub(super) fn row(&self, stops: usize) -> Option<&[f64]> {
+        self.rows.get(stops.checked_sub(1)?).map(Vec::as_slice)
+    }
 }
 
 /// A stop of a walk.
@@ -132,7 +137,7 @@ impl Ground {
     }
 
     /// The table of a leg, and whether its rows are those of the item left.
-    fn legs(&self, pair: Option<(usize, usize)>) -> Option<(&[f64], bool)> {
+    pub(super) fn legs(&self, pair: Option<(usize, usize)>) -> Option<(&[f64], bool)> {
         pair.map(|(e, side)| {
             let pair = &self.pairs.list[e];
             (
@@ -242,7 +247,13 @@ impl Ground {
 }
 
 /// Lowers the values of a state by legs from one item.
-fn relax(row: &mut [f64], least: &[f64], pay: f64, legs: Option<(&[f64], bool)>, gap: impl Fn() -> f64) {
+pub(super) fn relax(
+    row: &mut [f64],
+    least: &[f64],
+    pay: f64,
+    legs: Option<(&[f64], bool)>,
+    gap: impl Fn() -> f64,
+) {
     match legs {
         Some((table, true)) => {
             for (&l, seconds) in least.iter().zip(table.chunks_exact(row.len().max(1))) {

@@ -1,7 +1,7 @@
-//! The lower bound on benchmark instances and sheets, natively: `kerfway-bench-bound FILE... [--seconds S] [--upper U]`.
+//! The lower bound on benchmark instances and sheets, natively: `kerfway-bench-bound FILE... [--seconds S] [--upper U] [--open]`.
 //! JSON lines: one whenever the clock has doubled, and one at the end. The known best value, or `--upper`, sets the
 //! length of its steps, as the search's best does in a plan. `--shares`: the bound by shares, whose certificate is checked again
-//! at the end. Seconds are those of the processor.
+//! at the end. `--open`: the path does not return home. Seconds are those of the processor.
 
 #[path = "../source.rs"]
 #[allow(dead_code, reason = "the search's driver uses more of it")]
@@ -18,20 +18,28 @@ const FIRST_LINE: f64 = 0.25;
 
 fn main() {
     let mut files = Vec::new();
-    let (mut seconds, mut upper, mut shares) = (10.0, None, false);
+    let (mut seconds, mut upper, mut shares, mut open) = (10.0, None, false, false);
     let mut args = std::env::args().skip(1);
     while let Some(word) = args.next() {
         let number = |next: Option<String>| next.and_then(|n| n.parse::<f64>().ok());
         match word.as_str() {
             "--seconds" => seconds = number(args.next()).unwrap_or(seconds),
             "--shares" => shares = true,
+            "--open" => open = true,
             "--upper" => upper = number(args.next()),
             _ => files.push(word),
         }
     }
     for file in files {
         match Source::read(&file) {
-            Ok(sources) => sources.iter().for_each(|source| bound(source, seconds, upper, shares)),
+            Ok(mut sources) => {
+                for source in &mut sources {
+                    if open {
+                        (source.problem.closed, source.problem.machine.return_home) = (false, false);
+                    }
+                    bound(source, seconds, upper, shares);
+                }
+            }
             Err(why) => {
                 eprintln!("{why}");
                 std::process::exit(1);

@@ -1,16 +1,19 @@
 //! The strong bound: walks, charges that drive them to visit every item once, and rounds after which walks remember more and
 //! contours are divided more finely.
 
+mod close;
 mod company;
 mod sharpen;
 
 use super::net::{homes, items};
 use super::order::Order;
+use super::orders::Orders;
 use super::pairs::{Pairs, Scan};
 use super::prices::Prices;
 use super::space::Space;
 use super::walks::{Ground, Pass, Visit};
 use crate::problem::Problem;
+use close::Close;
 use company::nearest_company;
 
 /// Fewest and most steps of the charges in a round.
@@ -36,6 +39,7 @@ enum Task {
     Spaces,
     Row(usize),
     Meet,
+    Orders,
     Nothing,
 }
 
@@ -64,6 +68,12 @@ pub(super) struct Strong {
     company_before: Vec<Vec<usize>>,
     /// Walks cannot remember more: there would be too many states.
     full: bool,
+    /// The look at all orders, while there is one, and what was said when the last one was given up.
+    orders: Option<Box<Orders>>,
+    close: Close,
+    /// Work done, and the part of it that went to looks at all orders.
+    work: u64,
+    on_orders: u64,
 }
 
 impl Strong {
@@ -101,6 +111,10 @@ impl Strong {
             walks: Vec::new(),
             company_before: vec![Vec::new(); count],
             full: false,
+            orders: None,
+            close: Close::default(),
+            work: 0,
+            on_orders: 0,
         }
     }
 
@@ -110,6 +124,12 @@ impl Strong {
 
     /// Does one piece of work and returns its size; 0 if nothing is left to do.
     pub(super) fn once(&mut self, upper: f64) -> u64 {
+        let work = self.task(upper);
+        self.work += work;
+        work
+    }
+
+    fn task(&mut self, upper: f64) -> u64 {
         match self.task {
             Task::Scan => {
                 let ground = &self.ground;
@@ -149,6 +169,7 @@ impl Strong {
                 self.passes = <[Pass; 2]>::default();
                 1
             }
+            Task::Orders => self.look_at_orders(upper),
             Task::Nothing => 0,
         }
     }
@@ -165,7 +186,7 @@ impl Strong {
         if let Some(mut spaces) = spaces {
             spaces.iter_mut().for_each(|s| s.lay_out(|i| ground.items[i].knots));
             ground.spaces = spaces;
-            self.task = Task::Row(0);
+            self.task = if self.close.has_begun { Task::Orders } else { Task::Row(0) };
         } else if self.full {
             self.task = Task::Nothing;
         } else {
@@ -174,6 +195,14 @@ impl Strong {
         }
         let ground = &self.ground;
         (ground.items.len() * (1 + ground.spaces.iter().map(|s| s.states.len()).sum::<usize>())) as u64
+    }
+
+    /// What rounding can add to a value: each of at most 2 n sums of a walk is off by a part in 2^53 of at most n charges and
+    /// all legs.
+    pub(super) fn guard(&self, pay: &[f64], value: f64) -> f64 {
+        let largest = pay.iter().fold(0.0_f64, |m, p| m.max(p.abs()));
+        let stops = self.ground.count() as f64;
+        2.0 * (stops + 2.0) * f64::EPSILON * (stops * largest + value.abs())
     }
 
     /// Evaluates the walk that the passes found, and moves the charges.
@@ -185,12 +214,8 @@ impl Strong {
         };
         let first = self.ground.first;
         let charges: f64 = self.pay[first..].iter().sum();
-        let largest = self.pay.iter().fold(0.0_f64, |m, p| m.max(p.abs()));
         let value = sum - charges;
-        // What rounding can add: each of at most 2 n sums of a walk is off by a part in 2^53 of at most n charges and
-        // all legs.
-        let stops = self.ground.count() as f64;
-        let guard = 2.0 * (stops + 2.0) * f64::EPSILON * (stops * largest + value.abs());
+        let guard = self.guard(&self.pay, value);
         let mut way = vec![-1.0; self.pay.len()];
         for v in &walk {
             way[v.item] += 1.0;
@@ -246,14 +271,22 @@ impl Strong {
         self.looks >= LOOKS[0] && gained < WORTH.1 * (upper - self.round_best)
     }
 
-    /// Begins a round with more memory where walks went in circles, and halved pieces where legs lost seconds.
+    /// Looks at all orders if few may be left, and begins a round otherwise.
     fn next_round(&mut self, upper: f64) {
+        if !self.begin_orders(upper, false) {
+            self.sharpen(upper);
+        }
+    }
+
+    /// Begins a round with more memory where walks went in circles, and halved pieces where legs lost seconds.
+    fn sharpen(&mut self, upper: f64) {
         self.company_before.clone_from(&self.ground.company);
         let fuller = !self.full && self.remember();
         let finer = self.refine(upper);
-        let width: usize = self.ground.spaces.iter().map(|s| s.width + s.steps.len()).sum();
-        if !(fuller || finer) || width * self.ground.count() / 2 > MOST_NUMBERS {
-            self.task = Task::Nothing;
+        if !(fuller || finer) || self.width() * self.ground.count() / 2 > MOST_NUMBERS {
+            if !self.begin_orders(upper, true) {
+                self.task = Task::Nothing;
+            }
             return;
         }
         self.pay.clone_from(&self.best_pay);
@@ -263,11 +296,21 @@ impl Strong {
         // The charges are nearly right already: a third of the first step is enough to follow.
         self.share = 0.3;
         self.walks.clear();
+        self.prepare(finer);
+    }
+
+    /// Makes the tables again if there are new knots, and then the states.
+    fn prepare(&mut self, finer: bool) {
         if finer {
             self.ground.pairs = Pairs::new(self.ground.items.len());
             self.task = Task::Table(0);
         } else {
             self.task = Task::Spaces;
         }
+    }
+
+    /// Numbers in a row of walks, and legs between states.
+    fn width(&self) -> usize {
+        self.ground.spaces.iter().map(|s| s.width + s.steps.len()).sum()
     }
 }

@@ -1,6 +1,6 @@
 //! What a round prepares for the next: what walks must remember, and which pieces of contours are halved.
 
-use super::super::net::Item;
+use super::super::net::{Item, Piece};
 use super::super::walks::{Ground, Visit};
 use super::Strong;
 use crate::geometry::DVec2;
@@ -10,6 +10,17 @@ use crate::order::sort_by;
 const MOST_COMPANY: usize = 16;
 /// Most stops of a cycle or precedence fault that is removed: every item on it must remember more.
 const LONGEST: usize = 12;
+/// Share of the gap that the legs of a walk may lose between knots without being looked at.
+const LITTLE: f64 = 0.1;
+/// All pieces are halved after a look at all orders when less than this share of them is left, so that they hardly grow more.
+const FEW: f64 = 0.75;
+
+/// A knot where legs are priced too low.
+struct Loss {
+    item: usize,
+    /// Its arc length along the item, mm.
+    along: f64,
+}
 
 impl Strong {
     /// Excludes the shortest faults of the walks, which are cycles and stops out of order: the items between the two stops
@@ -44,45 +55,75 @@ impl Strong {
         added > 0
     }
 
-    /// Halves the pieces at knots whose legs in the walks are priced below their real cost.
+    /// Halves the pieces at knots whose legs in the walks are priced below their real cost. Returns whether there were any.
     pub(super) fn refine(&mut self, upper: f64) -> bool {
-        let ground = &self.ground;
-        if !ground.items.iter().any(Item::can_halve) {
-            return false;
+        let losses = self.losses(upper);
+        self.halve(&losses);
+        !losses.is_empty()
+    }
+
+    /// The same after a look at all orders: pieces that touch no knot in use are dropped. If few are left, all of them are halved.
+    pub(super) fn refine_orders(&mut self, upper: f64, in_use: &[Vec<bool>]) -> bool {
+        let losses = self.losses(upper);
+        let before: usize = self.ground.items.iter().map(|i| i.pieces.len()).sum();
+        for (item, in_use) in self.ground.items.iter_mut().zip(in_use) {
+            if let Some(finer) = item.finer(&vec![false; item.pieces.len()], in_use) {
+                *item = finer;
+            }
         }
+        let left: usize = self.ground.items.iter().map(|i| i.pieces.len()).sum();
+        if (left as f64) < FEW * before as f64 {
+            for item in &mut self.ground.items {
+                if let Some(finer) = item.halved(&vec![true; item.pieces.len()]) {
+                    *item = finer;
+                }
+            }
+        } else {
+            self.halve(&losses);
+        }
+        !losses.is_empty()
+    }
+
+    /// The knots of contours entered anywhere whose legs in the walks are priced too low.
+    fn losses(&self, upper: f64) -> Vec<Loss> {
+        let ground = &self.ground;
         // The loss of a leg that does not matter.
-        let little = 0.1 * (upper - self.best).max(0.0) / ground.count() as f64;
-        let mut marks: Vec<Vec<bool>> = ground.items.iter().map(|i| vec![false; i.pieces.len()]).collect();
-        let mut any = false;
+        let little = LITTLE * (upper - self.best).max(0.0) / ground.count() as f64;
         let home = Visit { item: 0, knot: 0 };
+        let mut losses = Vec::new();
         for walk in &self.walks {
             let mut last = home;
             for &v in walk.iter().chain(ground.first.eq(&1).then_some(&home)) {
-                let (a, b) = (&ground.items[last.item], &ground.items[v.item]);
-                let left = if a.paired { last.knot ^ 1 } else { last.knot };
-                if lost(ground, last.item, left, v) > little {
-                    for (item, knot, i) in [(a, left, last.item), (b, v.knot, v.item)] {
-                        for (mark, piece) in marks[i].iter_mut().zip(&item.pieces) {
-                            if item.can_halve() && piece.knots.contains(&knot) {
-                                *mark = true;
-                                any = true;
-                            }
-                        }
-                    }
+                let left = if ground.items[last.item].paired { last.knot ^ 1 } else { last.knot };
+                let seconds = lost(ground, last.item, left, v);
+                let ends = [(last.item, left), (v.item, v.knot)];
+                for (item, knot) in
+                    ends.into_iter().filter(|e| seconds > little && ground.items[e.0].can_halve())
+                {
+                    losses.push(Loss { item, along: ground.items[item].along[knot] });
                 }
                 last = v;
             }
         }
-        if any {
-            for (item, marked) in self.ground.items.iter_mut().zip(&marks) {
-                if marked.contains(&true)
-                    && let Some(finer) = item.halved(marked)
-                {
-                    *item = finer;
-                }
+        losses
+    }
+
+    /// Halves the pieces at these knots.
+    fn halve(&mut self, losses: &[Loss]) {
+        let items = &mut self.ground.items;
+        let mut marks: Vec<Vec<bool>> = items.iter().map(|i| vec![false; i.pieces.len()]).collect();
+        for loss in losses {
+            let item = &items[loss.item];
+            let knot = item.along.partition_point(|&x| x < loss.along);
+            for (mark, piece) in marks[loss.item].iter_mut().zip(&item.pieces) {
+                *mark |= piece.knots.contains(&knot);
             }
         }
-        any
+        for (item, marked) in items.iter_mut().zip(&marks).filter(|m| m.1.contains(&true)) {
+            if let Some(finer) = item.halved(marked) {
+                *item = finer;
+            }
+        }
     }
 }
 
@@ -98,6 +139,6 @@ fn lost(ground: &Ground, item: usize, knot: usize, to: Visit) -> f64 {
 }
 
 fn place(item: &Item, knot: usize) -> DVec2 {
-    let piece = item.pieces.iter().find(|p| p.knots[0] == knot);
-    piece.map_or(DVec2::ZERO, |p| p.ends[0])
+    let end = |p: &Piece| p.knots.iter().position(|&k| k == knot).map(|side| p.ends[side]);
+    item.pieces.iter().find_map(end).unwrap_or_default()
 }

@@ -1,0 +1,95 @@
+//! When all orders are looked at, and what follows from those that are left.
+
+use super::super::net::Item;
+use super::super::orders::{Left, Orders};
+use super::{MOST_NUMBERS, Strong, Task};
+
+/// All orders are looked at when the bound is within this share of the known path: with more, too many are left.
+const NEAR: f64 = 0.03;
+/// After a look that was given up, the next one begins when the gap has shrunk to this share.
+const NEARER: f64 = 0.7;
+/// Share of the known travel that may be left between it and the bound: the rest of a path that entries anywhere make.
+const EXACT: f64 = 1e-7;
+/// The same where all entries are given points: rounding.
+const EXACT_POINTS: f64 = 1e-10;
+
+/// What is known of looks at all orders.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Close {
+    /// A look has come to its end: from then on only pieces are halved.
+    pub(super) has_begun: bool,
+    /// The gap at the last look that was given up, s; 0 before there was one.
+    given_up_at: f64,
+    /// Nothing else can be done: the last look is not given up for its work.
+    is_last: bool,
+    /// The look in progress ends at this much work.
+    until: u64,
+}
+
+impl Strong {
+    /// Begins to look at all orders, if that is likely to come to an end. Returns whether it does.
+    pub(super) fn begin_orders(&mut self, upper: f64, last: bool) -> bool {
+        let gap = upper - self.best;
+        let near = self.close.given_up_at == 0.0 || gap <= NEARER * self.close.given_up_at;
+        let wanted = if last { !self.close.is_last } else { near && self.on_orders <= self.work / 2 };
+        let rows = self.ground.spaces.last().map_or(0, |s| s.width) * self.ground.count();
+        if !wanted || !upper.is_finite() || gap > NEAR * upper || rows > MOST_NUMBERS {
+            return false;
+        }
+        self.close.is_last = last;
+        self.close.until = if last { u64::MAX } else { self.on_orders + self.work / 2 };
+        self.task = Task::Orders;
+        true
+    }
+
+    /// The share of the known travel that may be left below it.
+    pub(super) fn exact(&self) -> f64 {
+        if self.ground.items.iter().any(Item::can_halve) { EXACT } else { EXACT_POINTS }
+    }
+
+    /// A piece of the look at all orders. Returns the work done.
+    pub(super) fn look_at_orders(&mut self, upper: f64) -> u64 {
+        let goal = upper * (1.0 - self.exact());
+        let orders = match self.orders.take() {
+            Some(orders) => Some(orders),
+            None => Orders::new(&self.ground, &self.best_pay, goal, MOST_NUMBERS).map(Box::new),
+        };
+        let Some(mut orders) = orders else {
+            self.give_up(upper);
+            return 1;
+        };
+        let (work, left) = orders.once(&self.ground);
+        self.on_orders += work;
+        let goal = orders.goal();
+        match left {
+            None if self.on_orders > self.close.until => self.give_up(upper),
+            None => self.orders = Some(orders),
+            Some(Left::TooMany) => self.give_up(upper),
+            Some(Left::Nothing) => {
+                self.best = self.best.max(goal - self.guard(&self.best_pay, goal));
+                self.task = Task::Nothing;
+            }
+            Some(Left::Orders(better)) => {
+                self.best = self.best.max(better.seconds - self.guard(&self.best_pay, better.seconds));
+                self.walks = better.walks;
+                (self.close.has_begun, self.close.until) = (true, u64::MAX);
+                if self.best < upper * (1.0 - self.exact()) && self.refine_orders(upper, &better.in_use) {
+                    self.prepare(true);
+                } else {
+                    self.task = Task::Nothing;
+                }
+            }
+        }
+        work
+    }
+
+    /// Goes on without a look at all orders.
+    fn give_up(&mut self, upper: f64) {
+        self.close.given_up_at = upper - self.best;
+        if self.close.is_last || self.close.has_begun {
+            self.task = Task::Nothing;
+        } else {
+            self.sharpen(upper);
+        }
+    }
+}
