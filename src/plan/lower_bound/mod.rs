@@ -27,6 +27,12 @@
 //! weighted means too. By induction the mean of the F around a point is at most the cost of any walk to that point. Pieces
 //! are halved where the cheapest walks go; the loss shrinks with the square of their length.
 //!
+//! # Proven optimal
+//!
+//! When walks prove all but some per cent of the known path, every order of the items that may still be better is looked at
+//! (`orders`). Either none is left, or those that are left give the bound and show which pieces of contours to halve next.
+//! So the optimum of some 60 contours is proven in seconds, with entries anywhere up to a ten-millionth.
+//!
 //! # The cheap bound: trees
 //!
 //! It serves problems with more than [`STRONG`] items. A tour without home is a path over the items, so it is a tree, and

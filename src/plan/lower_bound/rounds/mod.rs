@@ -1,5 +1,5 @@
 //! The strong bound: walks, charges that drive them to visit every item once, and rounds after which walks remember more and
-//! contours are divided more finely.
+//! contours are divided more finely. When few orders can be better than the known path, all of them are looked at (`close.rs`).
 
 mod close;
 mod company;
@@ -68,7 +68,7 @@ pub(super) struct Strong {
     company_before: Vec<Vec<usize>>,
     /// Walks cannot remember more: there would be too many states.
     full: bool,
-    /// The look at all orders, while there is one, and what was said when the last one was given up.
+    /// The look at all orders, while there is one, and what is known of such looks.
     orders: Option<Box<Orders>>,
     close: Close,
     /// Work done, and the part of it that went to looks at all orders.
@@ -240,7 +240,7 @@ impl Strong {
             self.walks.remove(0);
         }
         self.looks += 1;
-        if self.best >= upper * (1.0 - 1e-10) {
+        if self.best >= upper * (1.0 - self.exact()) {
             self.task = Task::Nothing;
         } else if tour || self.settled(upper) {
             self.next_round(upper);
