@@ -12,6 +12,8 @@ mod error;
 mod heat;
 mod joints;
 mod leads;
+#[cfg(feature = "research")]
+mod optimum;
 mod option_fields;
 mod options;
 mod outputs;

@@ -4,6 +4,7 @@
 //! read, the machine, the setting and the place on the bed. From these the problem is made again, and the numbers of the
 //! [`Certificate`] are added up again in whole numbers. How they were found does not matter, and no search is needed.
 
+use super::optimum::Optimum;
 use super::{Job, JobError, LoadOptions, MachineChoice, Place, PlanOptions};
 use crate::drawing::TextDecoder;
 use crate::machine::{Profile, Start};
@@ -45,12 +46,14 @@ struct Drawing {
     sha256: String,
 }
 
-/// Works on the bound of a job and writes its certificate.
+/// Works on the bound of a job and writes its certificate. A job of few contours is proven optimal where that is possible, which no
+/// certificate shows.
 pub struct Proof {
     file: File,
     problem: Problem,
     paid: f64,
     bound: Option<ShareBound>,
+    optimum: Option<Optimum>,
 }
 
 impl Proof {
@@ -82,7 +85,8 @@ impl Proof {
             sha256: String::new(),
         };
         let paid = problem.paid();
-        Ok(Self { file, problem, paid, bound })
+        let optimum = bound.as_ref().and_then(|_| Optimum::new(&problem));
+        Ok(Self { file, problem, paid, bound, optimum })
     }
 
     /// Why nothing can be proven in this way; `None` if it can.
@@ -95,12 +99,15 @@ impl Proof {
 
     /// Looks at about `work` more numbers. Returns whether more work may help.
     pub fn improve(&mut self, work: u32) -> bool {
-        self.bound.as_mut().is_some_and(|bound| bound.improve(work))
+        let of_shares = self.bound.as_mut().is_some_and(|bound| bound.improve(work));
+        let of_optimum = self.optimum.as_mut().is_some_and(|optimum| optimum.improve(work));
+        of_shares || of_optimum
     }
 
     /// No plan takes less, s. 0 if nothing can be proven in this way.
     pub fn seconds(&self) -> f64 {
-        self.bound.as_ref().map_or(0.0, |bound| self.paid + bound.value())
+        let optimum = self.optimum.as_ref().map_or(0.0, Optimum::value);
+        self.bound.as_ref().map_or(0.0, |bound| self.paid + bound.value().max(optimum))
     }
 
     /// The certificate file of the bound; `None` if nothing is proven yet.

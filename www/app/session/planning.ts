@@ -18,10 +18,10 @@ const SETTLE = 350;
 const WORKERS = Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), 4);
 
 /**
- * With more contours the bound beside the search is weak. From the tenth second on a worker of its own works on a stronger one; the file for
- * it is not part of a first visit.
+ * With more than `many` contours the bound beside the search is weak, and up to `few` the path can be proven optimal. From the tenth second on a worker
+ * of its own works on that; the file for it is not part of a first visit.
  */
-const PROVE = { contours: 220, after: 10 };
+const PROVE = { few: 128, many: 220, after: 10 };
 
 export class Planning {
   private readonly latest = new Latest();
@@ -119,7 +119,8 @@ export class Planning {
     return (progress) => {
       if (!isLatest()) return;
       this.store.planProgressed(addedTo(this.before, progress));
-      if (progress.summary.contours > PROVE.contours && progress.seconds > PROVE.after) this.prove();
+      const { contours } = progress.summary;
+      if ((contours <= PROVE.few || contours > PROVE.many) && progress.seconds > PROVE.after) this.prove();
     };
   }
 

@@ -4,6 +4,8 @@ use super::super::net::Item;
 use super::super::orders::{Left, Orders};
 use super::{MOST_NUMBERS, Strong, Task};
 
+/// The core wasm does not look at all orders, which the worker of a proof does (`job::Proof`).
+pub(super) const LOOKS_AT_ORDERS: bool = cfg!(feature = "research");
 /// All orders are looked at when the bound is within this share of the known path: with more, too many are left.
 const NEAR: f64 = 0.03;
 /// After a look that was given up, the next one begins when the gap has shrunk to this share.
@@ -29,6 +31,9 @@ pub(super) struct Close {
 impl Strong {
     /// Begins to look at all orders, if that is likely to come to an end. Returns whether it does.
     pub(super) fn begin_orders(&mut self, upper: f64, last: bool) -> bool {
+        if !LOOKS_AT_ORDERS {
+            return false;
+        }
         let gap = upper - self.best;
         let near = self.close.given_up_at == 0.0 || gap <= NEARER * self.close.given_up_at;
         let wanted = if last { !self.close.is_last } else { near && self.on_orders <= self.work / 2 };

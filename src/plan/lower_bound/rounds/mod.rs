@@ -169,8 +169,8 @@ impl Strong {
                 self.passes = <[Pass; 2]>::default();
                 1
             }
-            Task::Orders => self.look_at_orders(upper),
-            Task::Nothing => 0,
+            Task::Orders if close::LOOKS_AT_ORDERS => self.look_at_orders(upper),
+            Task::Orders | Task::Nothing => 0,
         }
     }
 
