@@ -90,7 +90,8 @@ fn a_certificate_proves_its_bound_and_no_plan_is_below_it() {
     for machine in ["length", "co2-100w"] {
         let (text, seconds) = written(&drawing, &on(machine), 30_000_000);
         let proven = verified(&text, &drawing, None).unwrap();
-        assert!(proven <= seconds && proven > seconds - 1e-6, "{proven} of {seconds}");
+        // What is proven without a certificate may be more.
+        assert!(proven <= seconds && proven > 0.8 * seconds, "{proven} of {seconds}");
         assert_eq!(verified(&text, &drawing, preset(machine).as_ref()), Ok(proven));
         let mut job = Job::load(drawing.clone(), "grid.dxf", &LoadOptions::default()).unwrap();
         job.start(&on(machine)).unwrap();
@@ -101,6 +102,27 @@ fn a_certificate_proves_its_bound_and_no_plan_is_below_it() {
         job.run_mut().unwrap().raise_bound(proven);
         assert_eq!(job.plan().unwrap().summary.lower_bound.to_bits(), proven.to_bits());
     }
+}
+
+/// Beside the certificate, jobs of few contours are proven optimal, however the work is sliced.
+#[test]
+fn a_proof_of_few_contours_reaches_the_optimum() {
+    let drawing = grid(4, 3);
+    let proven = |slice: u32| {
+        let mut proof =
+            Proof::start(drawing.clone(), "grid.dxf", LoadOptions::default(), &on("length")).unwrap();
+        (0..2_000_000_000 / slice).for_each(|_| {
+            proof.improve(slice);
+        });
+        proof.seconds()
+    };
+    let mut job = Job::load(drawing.clone(), "grid.dxf", &LoadOptions::default()).unwrap();
+    job.start(&on("length")).unwrap();
+    job.run_mut().unwrap().step(1_000_000);
+    let total = job.plan().unwrap().summary.total_time;
+    let bound = proven(2_000_000);
+    assert!(bound <= total && bound >= total * (1.0 - 1e-6), "{bound} of {total}");
+    assert_eq!(bound.to_bits(), proven(500_000).to_bits());
 }
 
 #[test]

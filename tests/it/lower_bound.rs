@@ -4,7 +4,7 @@
 
 use crate::testkit::sheets::{Dice, machine, nested_sheet, p};
 use kerfway::geometry::DVec2;
-use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions, Proof, problem_of};
+use kerfway::job::problem_of;
 use kerfway::machine::Profile;
 use kerfway::plan::{LowerBound, ShareBound};
 use kerfway::problem::{Groups, Item, Links, Node, NodeId, Problem, Table};
@@ -366,24 +366,4 @@ fn shares_do_not_apply() {
     assert!(resumes.items.iter().any(|i| i.leave.is_some()) && ShareBound::new(&resumes).is_none());
     let one = scattered(&mut Dice::new(1), 8);
     assert!(one.items.len() == 1 && ShareBound::new(&one).is_none());
-}
-
-/// A job of few contours is proven optimal beside its certificate, however the work is sliced.
-#[test]
-fn a_proof_of_few_contours_reaches_the_optimum() {
-    let bytes = include_bytes!("../fixtures/qu-du-43/qu_du_43.dxf");
-    let options =
-        PlanOptions { machine: MachineChoice::Preset("length".to_owned()), ..PlanOptions::default() };
-    let proven = |slice: u32, work: u64| {
-        let mut proof = Proof::start(bytes.to_vec(), "43.dxf", LoadOptions::default(), &options).unwrap();
-        for _ in 0..work / u64::from(slice) {
-            proof.improve(slice);
-        }
-        proof.seconds()
-    };
-    assert_eq!(proven(2_000_000, 200_000_000).to_bits(), proven(500_000, 200_000_000).to_bits());
-    let job = Job::load(bytes.to_vec(), "43.dxf", &LoadOptions::default()).unwrap();
-    let paid = problem_of(job.sheet(), &machine("length")).paid();
-    let travel = proven(5_000_000, 30_000_000_000) - paid;
-    assert!((2782.5801..=2782.5805).contains(&travel), "{travel}");
 }
