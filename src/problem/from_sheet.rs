@@ -83,10 +83,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
         }
         let joints = planners.joints(item).map(Box::new);
         if let Some((leads, places, least)) = ItemLeads::new(&planners, item, contour, joints.as_deref()) {
-            for LeadNode { along, entry, exit } in places {
-                let twin = count(&nodes);
-                nodes.push(Node { item, entry, exit, along, reversed: false, twin });
-            }
+            push_leads(&mut nodes, item, places);
             items.push(Item {
                 nodes: first..count(&nodes),
                 before: joined.before(item),
@@ -108,10 +105,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
         let at_edge =
             edges.as_ref().filter(|_| joints.is_none()).and_then(|e| e.entries(item, contour, joined_places));
         if let Some((leads, places, least)) = at_edge {
-            for LeadNode { along, entry, exit } in places {
-                let twin = count(&nodes);
-                nodes.push(Node { item, entry, exit, along, reversed: false, twin });
-            }
+            push_leads(&mut nodes, item, places);
             items.push(Item {
                 nodes: first..count(&nodes),
                 before: joined.before(item),
@@ -187,6 +181,14 @@ fn push_places(nodes: &mut Vec<Node>, item: ItemId, places: &[(f64, DVec2)]) {
     for &(along, entry) in places {
         let twin = count(nodes);
         nodes.push(Node { item, entry, exit: entry, along, reversed: false, twin });
+    }
+}
+
+/// A node for each lead-in of a closed contour.
+fn push_leads(nodes: &mut Vec<Node>, item: ItemId, places: Vec<LeadNode>) {
+    for LeadNode { along, entry, exit } in places {
+        let twin = count(nodes);
+        nodes.push(Node { item, entry, exit, along, reversed: false, twin });
     }
 }
 

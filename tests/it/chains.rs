@@ -1,6 +1,7 @@
 //! Chains (`levers.chains`): what they save, where they may be, and what the checker says of plans that do it wrongly.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests stop where they cannot go on")]
 
+use crate::testkit::dialects::read_back;
 use crate::testkit::exact::search_of_exact_cost;
 use crate::testkit::gcode;
 use crate::testkit::leads::{leads, oriented, with_leads};
@@ -559,30 +560,12 @@ fn the_checker_finds_chains_through_parts_and_along_edges() {
 fn every_dialect_keeps_the_beam_on() {
     let machine = Profile { beam_off_delay: 0.0, ..chaining(30.0, 1.0) };
     let (sheet, plan) = searched(squares(2, 2, 8.0), &machine);
-    for dialect in dialects() {
-        let profile = Profile { dialect: DialectChoice::named(&dialect.name), ..machine.clone() };
-        let profile = if dialect.pierce.is_none() {
-            Profile { pierce_time: 0.0, beam_on_delay: 0.0, beam_off_delay: 2.0, ..profile }
-        } else {
-            profile
-        };
-        let (sheet, plan) = searched(squares(2, 2, 8.0), &profile);
-        assert_eq!(plan.summary.chains, 3, "{}", dialect.name);
-        let facts = SheetFacts::of(&sheet);
-        let text = match output::gcode(&plan, &facts, &profile, "squares.dxf", Start::Absolute) {
-            Ok(text) => text,
-            Err(e) => {
-                assert!(dialect.dwell.is_none(), "{}: {e}", dialect.name);
-                continue;
-            }
-        };
-        for check in [output::check_against(&text, &profile, &plan), output::check(&text, &profile)] {
-            let check = check.unwrap();
-            assert!(check.passed, "{}: {:?}", dialect.name, check.problems);
-            assert_eq!(check.parts, 4, "{}", dialect.name);
-        }
-        assert_eq!(text.matches("through waste for 8.000 mm to contour").count(), 3, "{}", dialect.name);
-    }
+    let planned = |machine: &Profile| searched(squares(2, 2, 8.0), machine);
+    read_back(&machine, planned, 4, |dialect, plan, text| {
+        assert_eq!(plan.summary.chains, 3, "{dialect}");
+        let chains = |text: &str| text.matches("through waste for 8.000 mm to contour").count();
+        assert!(text.is_none_or(|text| chains(text) == 3), "{dialect}");
+    });
     // Starts on kerfs wait for the beam, and do not pierce.
     for dialect in dialects().iter().filter(|d| d.pierce.is_some() && d.dwell.is_some()) {
         let profile = Profile { dialect: DialectChoice::named(&dialect.name), ..starting(30.0, 1.0) };

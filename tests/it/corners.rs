@@ -2,12 +2,12 @@
 //! be, and what the checker says of plans that have them wrongly.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests stop where they cannot go on")]
 
+use crate::testkit::dialects::read_back;
 use crate::testkit::exact::search_of_exact_cost;
 use crate::testkit::leads::{leads, oriented, with_leads};
 use crate::testkit::sheets::{Builder, Dice, machine, p, polygon, rectangle};
 use kerfway::geometry::{Arc, DVec2, Segment, math};
-use kerfway::machine::dialect::{DialectChoice, dialects};
-use kerfway::machine::{AirTime, CornerKind, Corners, LeadKind, Levers, Profile, Start, process_time};
+use kerfway::machine::{AirTime, CornerKind, Corners, LeadKind, Levers, Profile, process_time};
 use kerfway::output::{self, SheetFacts};
 use kerfway::plan::{self, Move, Plan, Turn, Violation};
 use kerfway::problem::Problem;
@@ -437,29 +437,10 @@ fn the_checker_finds_loops_into_a_neighbour() {
 #[test]
 fn every_dialect_and_drawing_has_loops_and_arcs() {
     for corners in [LOOPS, ROUND] {
-        for dialect in dialects() {
-            let profile = Profile { dialect: DialectChoice::named(&dialect.name), ..plate(corners) };
-            let profile = if dialect.pierce.is_none() {
-                Profile { pierce_time: 0.0, beam_on_delay: 0.0, beam_off_delay: 2.0, ..profile }
-            } else {
-                profile
-            };
-            let (sheet, plan) = searched(wedges(2, 20.0), &profile);
-            assert!(plan.summary.loops + plan.summary.rounded_corners >= 4, "{}", dialect.name);
-            let facts = SheetFacts::of(&sheet);
-            let text = match output::gcode(&plan, &facts, &profile, "wedges.dxf", Start::Absolute) {
-                Ok(text) => text,
-                Err(e) => {
-                    assert!(dialect.dwell.is_none(), "{}: {e}", dialect.name);
-                    continue;
-                }
-            };
-            for check in [output::check_against(&text, &profile, &plan), output::check(&text, &profile)] {
-                let check = check.unwrap();
-                assert!(check.passed, "{}: {:?}", dialect.name, check.problems);
-                assert_eq!(check.parts, 2, "{}", dialect.name);
-            }
-        }
+        let planned = |machine: &Profile| searched(wedges(2, 20.0), machine);
+        read_back(&plate(corners), planned, 2, |dialect, plan, _| {
+            assert!(plan.summary.loops + plan.summary.rounded_corners >= 4, "{dialect}");
+        });
         let (sheet, plan) = searched(wedges(2, 20.0), &plate(corners));
         let facts = SheetFacts::of(&sheet);
         assert_eq!(output::dxf(&plan, &facts).matches("LWPOLYLINE").count(), 2);

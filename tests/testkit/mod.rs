@@ -17,6 +17,7 @@
 pub mod beam_machine;
 pub mod by_hand;
 pub mod compare;
+pub mod dialects;
 pub mod drawings;
 pub mod dxf_text;
 pub mod exact;

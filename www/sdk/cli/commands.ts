@@ -87,7 +87,7 @@ const PLANNING: Options = {
 };
 
 const PROVING: Options = {
-  bound: { value: 'S', about: 'seconds of work on the lower bound in a thread of its own, beside the search: stronger than its own from about 100 contours on' },
+  bound: { value: 'S', about: 'seconds of work on the lower bound in a thread of its own, beside the search: proves paths of few contours optimal, and is stronger than its own from about 100 on' },
   'bound-work': { value: 'N', about: 'million numbers of the same work, which prove the same everywhere' },
 };
 
