@@ -139,7 +139,7 @@ fn nested_sheets_at_nodes() {
         let least = solve::exact(&problem).unwrap().cost;
         let found = bound(&problem, least, 5_000_000, 50_000);
         assert!(found <= least * (1.0 + 1e-12), "{seed}: {found} above {least}");
-        assert!(found >= 0.98 * least, "{seed}: {found} far below {least}");
+        assert!(found >= 0.97 * least, "{seed}: {found} far below {least}");
     }
 }
 
@@ -156,7 +156,7 @@ fn entries_anywhere() {
         let found = bound(&problem, least, 30_000_000, 100_000);
         assert!(found <= least * (1.0 + 1e-12), "{seed}: {found} above {least}");
         // What 60 places on a contour lack of all.
-        assert!(found >= 0.98 * least, "{seed}: {found} far below {least}");
+        assert!(found >= 0.97 * least, "{seed}: {found} far below {least}");
     }
 }
 

@@ -2,10 +2,9 @@
 
 use super::super::net::Item;
 use super::super::orders::{Left, Orders};
+use super::looks::LOOKS_AT_ORDERS;
 use super::{MOST_NUMBERS, Strong, Task};
 
-/// The core wasm does not look at all orders, which the worker of a proof does (`job::Proof`).
-pub(super) const LOOKS_AT_ORDERS: bool = cfg!(feature = "research");
 /// All orders are looked at when the bound is within this share of the known path: with more, too many are left.
 const NEAR: f64 = 0.03;
 /// After a look that was given up, the next one begins when the gap has shrunk to this share.
@@ -15,19 +14,6 @@ const EXACT: f64 = 1e-7;
 /// The same where all entries are given points: rounding.
 const EXACT_POINTS: f64 = 1e-10;
 
-/// What is known of looks at all orders.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Close {
-    /// A look has come to its end: from then on only pieces are halved.
-    pub(super) has_begun: bool,
-    /// The gap at the last look that was given up, s; 0 before there was one.
-    given_up_at: f64,
-    /// Nothing else can be done: the last look is not given up for its work.
-    is_last: bool,
-    /// The look in progress ends at this much work.
-    until: u64,
-}
-
 impl Strong {
     /// Begins to look at all orders, if that is likely to come to an end. Returns whether it does.
     pub(super) fn begin_orders(&mut self, upper: f64, last: bool) -> bool {
@@ -35,14 +21,14 @@ impl Strong {
             return false;
         }
         let gap = upper - self.best;
-        let near = self.close.given_up_at == 0.0 || gap <= NEARER * self.close.given_up_at;
-        let wanted = if last { !self.close.is_last } else { near && self.on_orders <= self.work / 2 };
+        let near = self.looked.given_up_at == 0.0 || gap <= NEARER * self.looked.given_up_at;
+        let wanted = if last { !self.looked.is_last } else { near && self.on_orders <= self.work / 2 };
         let rows = self.ground.spaces.last().map_or(0, |s| s.width) * self.ground.count();
         if !wanted || !upper.is_finite() || gap > NEAR * upper || rows > MOST_NUMBERS {
             return false;
         }
-        self.close.is_last = last;
-        self.close.until = if last { u64::MAX } else { self.on_orders + self.work / 2 };
+        self.looked.is_last = last;
+        self.looked.until = if last { u64::MAX } else { self.on_orders + self.work / 2 };
         self.task = Task::Orders;
         true
     }
@@ -67,7 +53,7 @@ impl Strong {
         self.on_orders += work;
         let goal = orders.goal();
         match left {
-            None if self.on_orders > self.close.until => self.give_up(upper),
+            None if self.on_orders > self.looked.until => self.give_up(upper),
             None => self.orders = Some(orders),
             Some(Left::TooMany) => self.give_up(upper),
             Some(Left::Nothing) => {
@@ -77,7 +63,7 @@ impl Strong {
             Some(Left::Orders(better)) => {
                 self.best = self.best.max(better.seconds - self.guard(&self.best_pay, better.seconds));
                 self.walks = better.walks;
-                (self.close.has_begun, self.close.until) = (true, u64::MAX);
+                (self.looked.has_begun, self.looked.until) = (true, u64::MAX);
                 if self.best < upper * (1.0 - self.exact()) && self.refine_orders(upper, &better.in_use) {
                     self.prepare(true);
                 } else {
@@ -90,8 +76,8 @@ impl Strong {
 
     /// Goes on without a look at all orders.
     fn give_up(&mut self, upper: f64) {
-        self.close.given_up_at = upper - self.best;
-        if self.close.is_last || self.close.has_begun {
+        self.looked.given_up_at = upper - self.best;
+        if self.looked.is_last || self.looked.has_begun {
             self.task = Task::Nothing;
         } else {
             self.sharpen(upper);

@@ -3,6 +3,7 @@
 
 mod close;
 mod company;
+mod looks;
 mod sharpen;
 
 use super::net::{homes, items};
@@ -13,8 +14,8 @@ use super::prices::Prices;
 use super::space::Space;
 use super::walks::{Ground, Pass, Visit};
 use crate::problem::Problem;
-use close::Close;
 use company::nearest_company;
+use looks::{LOOKS_AT_ORDERS, Looks};
 
 /// Fewest and most steps of the charges in a round.
 const LOOKS: [usize; 2] = [8, 60];
@@ -70,7 +71,7 @@ pub(super) struct Strong {
     full: bool,
     /// The look at all orders, while there is one, and what is known of such looks.
     orders: Option<Box<Orders>>,
-    close: Close,
+    looked: Looks,
     /// Work done, and the part of it that went to looks at all orders.
     work: u64,
     on_orders: u64,
@@ -112,7 +113,7 @@ impl Strong {
             company_before: vec![Vec::new(); count],
             full: false,
             orders: None,
-            close: Close::default(),
+            looked: Looks::default(),
             work: 0,
             on_orders: 0,
         }
@@ -169,7 +170,7 @@ impl Strong {
                 self.passes = <[Pass; 2]>::default();
                 1
             }
-            Task::Orders if close::LOOKS_AT_ORDERS => self.look_at_orders(upper),
+            Task::Orders if LOOKS_AT_ORDERS => self.look_at_orders(upper),
             Task::Orders | Task::Nothing => 0,
         }
     }
@@ -186,7 +187,7 @@ impl Strong {
         if let Some(mut spaces) = spaces {
             spaces.iter_mut().for_each(|s| s.lay_out(|i| ground.items[i].knots));
             ground.spaces = spaces;
-            self.task = if self.close.has_begun { Task::Orders } else { Task::Row(0) };
+            self.task = if self.looked.has_begun { Task::Orders } else { Task::Row(0) };
         } else if self.full {
             self.task = Task::Nothing;
         } else {

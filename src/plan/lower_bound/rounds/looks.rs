@@ -1,0 +1,17 @@
+//! What the rounds keep of looks at all orders.
+
+/// The core wasm does not look at all orders, which the worker of a proof does (`job::Proof`).
+pub(super) const LOOKS_AT_ORDERS: bool = cfg!(feature = "research");
+
+/// What is known of looks at all orders.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Looks {
+    /// A look has come to its end: from then on only pieces are halved.
+    pub(super) has_begun: bool,
+    /// The gap at the last look that was given up, s; 0 before there was one.
+    pub(super) given_up_at: f64,
+    /// Nothing else can be done: the last look is not given up for its work.
+    pub(super) is_last: bool,
+    /// The look in progress ends at this much work.
+    pub(super) until: u64,
+}
