@@ -39,6 +39,7 @@ const PLANS: &[(&str, &str)] = &[
     ("one-kerf-apart", include_str!("../golden/one-kerf-apart.json")),
     ("partition-tree-pauses", include_str!("../golden/partition-tree-pauses.json")),
     ("tips-avoided", include_str!("../golden/tips-avoided.json")),
+    ("corners-not-stopped-in", include_str!("../golden/corners-not-stopped-in.json")),
     ("heat-charged", include_str!("../golden/heat-charged.json")),
 ];
 
