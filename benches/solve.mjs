@@ -18,7 +18,7 @@ import { parseArgs } from 'node:util';
 import { setup } from '../scripts/setup.mjs';
 import { ask, DIST, ENV, ROOT, run, Stop } from '../scripts/tools.mjs';
 import { build as buildAll, LEAN } from '../scripts/build.mjs';
-import { Instances, NOT_RUN } from './common/data.mjs';
+import { IGNORED, Instances, NOT_RUN } from './common/data.mjs';
 import { mb, mean, median, ms, rows, table } from './common/table.mjs';
 import { asDxf } from '../benchmark/drawing.mjs';
 import { generated } from '../benchmark/generate.mjs';
@@ -175,7 +175,7 @@ async function pool({ seconds, only, instances }) {
   const lines = [];
   for (const [n, file] of sheetFiles({ instances, only })) {
     const { known } = natively(file, { seconds: 0, seeds: 1 }, '--on')[0];
-    const options = { machine: 'length', layers: ['SHEET', 'MARK'].map((name) => ({ name, operation: 'ignore' })), workers, seed: 1, seconds };
+    const options = { machine: 'length', layers: IGNORED, workers, seed: 1, seconds };
     const { summary } = await plan(readFileSync(file), options);
     lines.push([`sheet_${n}`, summary.air_length.toFixed(3), known.toFixed(3), percent(summary.air_length, known)]);
     console.log(lines.at(-1).join('  '));

@@ -11,6 +11,9 @@ import { ROOT, Stop } from '../../scripts/tools.mjs';
 const DATA = join(ROOT, 'benches', 'data');
 const UNPACKED = join(ROOT, 'target', 'bench-data');
 
+/** The layers of the sheets that are not cut, as options. */
+export const IGNORED = ['SHEET', 'MARK'].map((name) => ({ name, operation: 'ignore' }));
+
 /** What a table says of an instance that is not here. */
 export const NOT_RUN = 'not run';
 

@@ -5,9 +5,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { ROOT } from '../../scripts/tools.mjs';
-
-/** The sheets' layers that are not cut. */
-const IGNORED = { layers: ['SHEET', 'MARK'].map((name) => ({ name, operation: 'ignore' })) };
+import { IGNORED } from '../common/data.mjs';
 
 /** Numbers of one call, as in `www/sdk/proving.ts`. */
 const SLICE = 2_000_000;
@@ -16,21 +14,20 @@ const [file, seconds] = [process.argv[2], Number(process.argv[3])];
 const at = join(ROOT, 'www', 'sdk', 'pkg');
 const { Job, Proof, initSync } = await import(pathToFileURL(join(at, 'kerfway_research.js')).href);
 initSync({ module: readFileSync(join(at, 'kerfway_research_bg.wasm')) });
-const bytes = readFileSync(file);
+const [bytes, reading] = [readFileSync(file), { layers: IGNORED }];
 const used = () => process.cpuUsage().user / 1e6;
 // What every plan takes besides its air moves, which are all that the machine `length` counts in mm.
-const job = new Job(bytes, 'sheet.dxf', IGNORED);
+const job = new Job(bytes, 'sheet.dxf', reading);
 job.start({ seed: 1, moves: 1, machine: 'length' });
 const { total_time, air_time } = job.best().summary;
 const start = used();
-const proof = new Proof(bytes, 'sheet.dxf', IGNORED, { seed: 1, machine: 'length' });
+const proof = new Proof(bytes, 'sheet.dxf', reading, { seed: 1, machine: 'length' });
 const trace = [];
-for (let [more, next] = [true, 1]; more && used() - start < seconds; ) {
-  more = proof.improve(SLICE);
-  if (used() - start >= next || !more) {
-    trace.push([used() - start, proof.seconds() - (total_time - air_time)]);
-    next *= 2;
-  }
+const look = () => trace.push([used() - start, proof.seconds() - (total_time - air_time)]);
+for (let next = 1; proof.improve(SLICE) && used() - start < seconds; ) {
+  if (used() - start < next) continue;
+  look();
+  next *= 2;
 }
-trace.push([used() - start, proof.seconds() - (total_time - air_time)]);
+look();
 console.log(JSON.stringify({ trace }));
