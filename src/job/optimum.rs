@@ -11,7 +11,7 @@ const MOST: usize = 128;
 /// made [`ENOUGH`] moves.
 const TURN: u32 = 1_000_000;
 const MOVES: u64 = 10_000;
-/// After so many moves a search of 128 contours hardly finds anything better.
+/// The search ends here: beyond, it hardly ever finds a better path over 128 contours.
 const ENOUGH: u64 = 20_000_000;
 
 /// A search and a lower bound that work until they meet.

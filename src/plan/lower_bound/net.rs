@@ -159,6 +159,12 @@ impl Item {
         Some(ring(track.clone(), along)).filter(|item| item.knots == along.len())
     }
 
+    /// The number of pieces that stay, see [`Item::finer`]: all of an item without a track.
+    pub(super) fn pieces_left(&self, in_use: &[bool]) -> usize {
+        let stays = |p: &&Piece| self.track.is_none() || p.touches(in_use);
+        self.pieces.iter().filter(stays).count()
+    }
+
     /// The same item with the marked pieces halved; `None` without a track.
     pub(super) fn halved(&self, marked: &[bool]) -> Option<Self> {
         self.finer(marked, &vec![true; self.knots])
@@ -171,7 +177,7 @@ impl Item {
         let mut stretches = Vec::with_capacity(2 * self.pieces.len());
         for (piece, &marked) in self.pieces.iter().zip(marked) {
             let [start, end] = piece.knots.map(|k| self.along[k]);
-            if !piece.knots.iter().any(|&k| in_use[k]) {
+            if !piece.touches(in_use) {
                 continue;
             }
             if marked {
@@ -185,6 +191,12 @@ impl Item {
             }
         }
         Some(of_stretches(track.clone(), &stretches))
+    }
+}
+
+impl Piece {
+    fn touches(&self, in_use: &[bool]) -> bool {
+        self.knots.iter().any(|&k| in_use[k])
     }
 }
 

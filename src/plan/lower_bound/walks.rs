@@ -36,7 +36,7 @@ impl Pass {
         self.rows.len()
     }
 
-    /// The row after so many stops.
+    /// The row of values after this number of stops.
     pub(super) fn row(&self, stops: usize) -> Option<&[f64]> {
         self.rows.get(stops.checked_sub(1)?).map(Vec::as_slice)
     }

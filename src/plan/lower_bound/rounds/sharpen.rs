@@ -15,13 +15,6 @@ const LITTLE: f64 = 0.1;
 /// All pieces are halved after a look at all orders when less than this share of them is left, so that they hardly grow more.
 const FEW: f64 = 0.75;
 
-/// A knot where legs are priced too low.
-struct Loss {
-    item: usize,
-    /// Its arc length along the item, mm.
-    along: f64,
-}
-
 impl Strong {
     /// Excludes the shortest faults of the walks, which are cycles and stops out of order: the items between the two stops
     /// will remember both. A round adds no more members than there are items, because each may double the states of one.
@@ -57,40 +50,38 @@ impl Strong {
 
     /// Halves the pieces at knots whose legs in the walks are priced below their real cost. Returns whether there were any.
     pub(super) fn refine(&mut self, upper: f64) -> bool {
-        let losses = self.losses(upper);
-        self.halve(&losses);
-        !losses.is_empty()
+        let marks = self.losses(upper);
+        for (item, marked) in self.ground.items.iter_mut().zip(&marks).filter(|m| m.1.contains(&true)) {
+            if let Some(finer) = item.halved(marked) {
+                *item = finer;
+            }
+        }
+        marks.iter().flatten().any(|&marked| marked)
     }
 
     /// The same after a look at all orders: pieces that touch no knot in use are dropped. If few are left, all of them are halved.
     pub(super) fn refine_orders(&mut self, upper: f64, in_use: &[Vec<bool>]) -> bool {
-        let losses = self.losses(upper);
-        let before: usize = self.ground.items.iter().map(|i| i.pieces.len()).sum();
-        for (item, in_use) in self.ground.items.iter_mut().zip(in_use) {
-            if let Some(finer) = item.finer(&vec![false; item.pieces.len()], in_use) {
+        let marks = self.losses(upper);
+        let items = &mut self.ground.items;
+        let all: usize = items.iter().map(|i| i.pieces.len()).sum();
+        let left: usize = items.iter().zip(in_use).map(|(i, used)| i.pieces_left(used)).sum();
+        let few = (left as f64) < FEW * all as f64;
+        for ((item, marked), in_use) in items.iter_mut().zip(&marks).zip(in_use) {
+            let marked: Vec<bool> = marked.iter().map(|&m| few || m).collect();
+            if let Some(finer) = item.finer(&marked, in_use) {
                 *item = finer;
             }
         }
-        let left: usize = self.ground.items.iter().map(|i| i.pieces.len()).sum();
-        if (left as f64) < FEW * before as f64 {
-            for item in &mut self.ground.items {
-                if let Some(finer) = item.halved(&vec![true; item.pieces.len()]) {
-                    *item = finer;
-                }
-            }
-        } else {
-            self.halve(&losses);
-        }
-        !losses.is_empty()
+        marks.iter().flatten().any(|&marked| marked)
     }
 
-    /// The knots of contours entered anywhere whose legs in the walks are priced too low.
-    fn losses(&self, upper: f64) -> Vec<Loss> {
+    /// For each item which of its pieces are at a knot whose legs in the walks are priced too low.
+    fn losses(&self, upper: f64) -> Vec<Vec<bool>> {
         let ground = &self.ground;
         // The loss of a leg that does not matter.
         let little = LITTLE * (upper - self.best).max(0.0) / ground.count() as f64;
+        let mut marks: Vec<Vec<bool>> = ground.items.iter().map(|i| vec![false; i.pieces.len()]).collect();
         let home = Visit { item: 0, knot: 0 };
-        let mut losses = Vec::new();
         for walk in &self.walks {
             let mut last = home;
             for &v in walk.iter().chain(ground.first.eq(&1).then_some(&home)) {
@@ -100,30 +91,14 @@ impl Strong {
                 for (item, knot) in
                     ends.into_iter().filter(|e| seconds > little && ground.items[e.0].can_halve())
                 {
-                    losses.push(Loss { item, along: ground.items[item].along[knot] });
+                    for (mark, piece) in marks[item].iter_mut().zip(&ground.items[item].pieces) {
+                        *mark |= piece.knots.contains(&knot);
+                    }
                 }
                 last = v;
             }
         }
-        losses
-    }
-
-    /// Halves the pieces at these knots.
-    fn halve(&mut self, losses: &[Loss]) {
-        let items = &mut self.ground.items;
-        let mut marks: Vec<Vec<bool>> = items.iter().map(|i| vec![false; i.pieces.len()]).collect();
-        for loss in losses {
-            let item = &items[loss.item];
-            let knot = item.along.partition_point(|&x| x < loss.along);
-            for (mark, piece) in marks[loss.item].iter_mut().zip(&item.pieces) {
-                *mark |= piece.knots.contains(&knot);
-            }
-        }
-        for (item, marked) in items.iter_mut().zip(&marks).filter(|m| m.1.contains(&true)) {
-            if let Some(finer) = item.halved(marked) {
-                *item = finer;
-            }
-        }
+        marks
     }
 }
 
