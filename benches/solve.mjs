@@ -1,7 +1,7 @@
 // The search against the best values known and against other solvers, on every kind of instance, natively and in wasm
 // under Node:
 //
-//     npm run bench -- solve [sheets|grids|holes|pool|qu-du|proofs|bounds|gtsplib|pcgtsp|scaling]... [--seconds S] [--seeds K] [--only NAME] [--cpu]
+//     npm run bench -- solve [sheets|grids|holes|pool|qu-du|proofs|bounds|stops|gtsplib|pcgtsp|scaling]... [--seconds S] [--seeds K] [--only NAME] [--cpu]
 //                            [--data FOLDER]
 //
 // `--cpu` counts processor time instead of the time of the clock, for a machine that others use too (Linux only).
@@ -24,6 +24,7 @@ import { asDxf } from '../benchmark/drawing.mjs';
 import { generated } from '../benchmark/generate.mjs';
 import { byHand, drawn, PATTERNS, SIDES } from './solve/grids.mjs';
 import { MARKS as HOLE_MARKS } from './solve/holes.mjs';
+import { partial, plates } from './solve/stops.mjs';
 
 const HERE = join(ROOT, 'benches', 'solve');
 const NATIVE = join(HERE, 'target', 'release', 'kerfway-bench-solve');
@@ -44,6 +45,7 @@ const SETS = {
   'qu-du': quDu,
   proofs,
   bounds,
+  stops,
   gtsplib: (options) => library('gtsplib', '.gtsp', options, true),
   pcgtsp: (options) => library('pcgtsp', '.pcglns', options, false),
   scaling,
@@ -255,6 +257,32 @@ async function bounds({ only, instances }) {
     return line;
   });
   table('Lower bounds of the sheets in wasm: share of the best known air length', ['', 'best known', 'on the way', 'at the end'], lines);
+}
+
+/** The search's own bound and that by stops, natively, as shares of the best value known. */
+async function stops({ seconds, only = '', instances }) {
+  const last = (file, flags, known, ...more) => {
+    const all = rows(BOUND, [file, ...flags, ...known, '--seconds', String(seconds), ...more]);
+    return all.at(-1);
+  };
+  const share = ({ bound, known }) => bound / known;
+  const pair = (file, flags, known) => [last(file, flags, known), last(file, flags, known, '--stops')];
+  const lines = [];
+  const add = (name, pairs) => {
+    const shares = [0, 1].map((k) => `${(100 * mean(pairs.map((p) => share(p[k])))).toFixed(1)} %`);
+    lines.push([name, String(pairs.length), ...shares, `${mean(pairs.map((p) => p[1].seconds)).toFixed(1)} s`]);
+    console.log(lines.at(-1).join('  '));
+  };
+  for (const [group, all] of partial()) {
+    if (group.includes(only)) add(group, all.map(({ file, flags, known }) => pair(file, flags, ['--upper', String(known)])));
+  }
+  for (const [n, file] of sheetFiles({ instances, only })) {
+    if (n <= 500) add(`sheet_${n}, partial cutting`, [pair(file, ['--machine', 'length-partial'], ['--search', '3000000'])]);
+  }
+  for (const { name, file, flags } of plates()) {
+    if (name.includes(only)) add(name, [pair(file, flags, ['--search', '1000000'])]);
+  }
+  table(`Contours that may be left, and pierce groups: mean share of the best value known after ${seconds} s`, ['', 'instances', 'bound of the search', 'bound by stops', 'time'], lines);
 }
 
 function library(set, extension, options, baselines) {

@@ -2,14 +2,14 @@
 //!
 //! A certificate file names the drawing by its hash and holds everything that decides what a plan takes: how the drawing is
 //! read, the machine, the setting and the place on the bed. From these the problem is made again, and the numbers of the
-//! [`Certificate`] are added up again in whole numbers. How they were found does not matter, and no search is needed.
+//! [`Certificate`] or of the [`StopCertificate`] are added up again in whole numbers. How they were found does not matter, and no search is needed.
 
 use super::optimum::Optimum;
 use super::{Job, JobError, LoadOptions, MachineChoice, Place, PlanOptions};
 use crate::drawing::TextDecoder;
 use crate::machine::{Profile, Start};
 use crate::output::{json_text, sha256};
-use crate::plan::{Certificate, ShareBound};
+use crate::plan::{Certificate, CertificateFault, ShareBound, StopBound, StopCertificate, with_paid};
 use crate::problem::{Item, Problem};
 use serde::{Deserialize, Serialize};
 
@@ -34,9 +34,74 @@ struct File {
     place: Option<Place>,
     start: Start,
     /// The numbers that prove the least travel.
-    travel: Certificate,
+    travel: Travel,
     /// SHA-256 of the file with this field empty, so that damage is noticed.
     sha256: String,
+}
+
+/// The two kinds of certificates, which have different fields.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+enum Travel {
+    Shares(Certificate),
+    /// Where contours may be left unfinished or are cut as one.
+    Stops(StopCertificate),
+}
+
+impl Travel {
+    /// The stated bound of travel and its unit, as a power of two.
+    fn stated(&self) -> (i64, i32) {
+        match self {
+            Self::Shares(certificate) => (certificate.bound, certificate.unit),
+            Self::Stops(certificate) => (certificate.bound, certificate.unit),
+        }
+    }
+
+    fn adds_up_to(&self, problem: &Problem) -> Result<i128, CertificateFault> {
+        match self {
+            Self::Shares(certificate) => certificate.adds_up_to(problem),
+            Self::Stops(certificate) => certificate.adds_up_to(problem),
+        }
+    }
+
+    /// The least seconds of the whole job, rounded down: a proven travel in units, and what every plan pays.
+    fn whole_job(&self, proven: i128, problem: &Problem) -> f64 {
+        with_paid(self.stated().1, proven, problem.items.iter().map(Item::least))
+    }
+}
+
+/// The bound that has a certificate.
+enum Bound {
+    Shares(Box<ShareBound>),
+    Stops(Box<StopBound>),
+}
+
+impl Bound {
+    fn new(problem: &Problem) -> Option<Self> {
+        let of_stops = StopBound::new(problem).map(|bound| Self::Stops(Box::new(bound)));
+        of_stops.or_else(|| ShareBound::new(problem).map(|bound| Self::Shares(Box::new(bound))))
+    }
+
+    fn improve(&mut self, work: u32) -> bool {
+        match self {
+            Self::Shares(bound) => bound.improve(work),
+            Self::Stops(bound) => bound.improve(work),
+        }
+    }
+
+    fn value(&self) -> f64 {
+        match self {
+            Self::Shares(bound) => bound.value(),
+            Self::Stops(bound) => bound.value(),
+        }
+    }
+
+    fn travel(&self) -> Option<Travel> {
+        match self {
+            Self::Shares(bound) => bound.certificate().cloned().map(Travel::Shares),
+            Self::Stops(bound) => bound.certificate().cloned().map(Travel::Stops),
+        }
+    }
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -52,7 +117,7 @@ pub struct Proof {
     file: File,
     problem: Problem,
     paid: f64,
-    bound: Option<ShareBound>,
+    bound: Option<Bound>,
     optimum: Option<Optimum>,
 }
 
@@ -70,7 +135,7 @@ impl Proof {
         let PlanOptions { material, place, start, .. } = options.clone();
         let machine = options.machine.profile()?;
         let problem = problem(&bytes, name, &reading, &machine, (material.clone(), place, start))?;
-        let bound = ShareBound::new(&problem);
+        let bound = Bound::new(&problem);
         let file = File {
             schema: CERTIFICATE_SCHEMA.to_owned(),
             seconds: 0.0,
@@ -81,27 +146,25 @@ impl Proof {
             material,
             place,
             start,
-            travel: Certificate::default(),
+            travel: Travel::Shares(Certificate::default()),
             sha256: String::new(),
         };
         let paid = problem.paid();
-        let optimum = bound.as_ref().and_then(|_| Optimum::new(&problem));
+        let of_shares = matches!(bound, Some(Bound::Shares(_)));
+        let optimum = if of_shares { Optimum::new(&problem) } else { None };
         Ok(Self { file, problem, paid, bound, optimum })
     }
 
     /// Why nothing can be proven in this way; `None` if it can.
     pub fn hindrance(&self) -> Option<&'static str> {
-        self.bound.is_none().then_some(
-            "Certificates are not written for contours that may be left unfinished, for contours that are cut \
-             as one, and for fewer than two contours.",
-        )
+        self.bound.is_none().then_some("Certificates are not written for fewer than two contours.")
     }
 
     /// Looks at about `work` more numbers. Returns whether more work may help.
     pub fn improve(&mut self, work: u32) -> bool {
-        let of_shares = self.bound.as_mut().is_some_and(|bound| bound.improve(work));
+        let of_bound = self.bound.as_mut().is_some_and(|bound| bound.improve(work));
         let of_optimum = self.optimum.as_mut().is_some_and(|optimum| optimum.improve(work));
-        of_shares || of_optimum
+        of_bound || of_optimum
     }
 
     /// No plan takes less, s. 0 if nothing can be proven in this way.
@@ -112,9 +175,9 @@ impl Proof {
 
     /// The certificate file of the bound; `None` if nothing is proven yet.
     pub fn certificate(&self) -> Option<String> {
-        let travel = self.bound.as_ref()?.certificate()?;
-        let seconds = whole_job(travel, travel.bound.into(), &self.problem);
-        let file = File { seconds, travel: travel.clone(), ..self.file.clone() };
+        let travel = self.bound.as_ref()?.travel()?;
+        let seconds = travel.whole_job(travel.stated().0.into(), &self.problem);
+        let file = File { seconds, travel, ..self.file.clone() };
         Some(json_text(&File { sha256: file.seal(), ..file }))
     }
 }
@@ -177,12 +240,13 @@ pub fn verify(
     let problem = problem(drawing, &file.drawing.name, &file.reading, &file.machine, settings)
         .map_err(|e| format!("The certificate's drawing cannot be planned as it says: {e}"))?;
     let proven = file.travel.adds_up_to(&problem).map_err(|e| e.to_string())?;
-    let seconds = whole_job(&file.travel, proven, &problem);
+    let seconds = file.travel.whole_job(proven, &problem);
+    let stated = i128::from(file.travel.stated().0);
     // Nothing that is stated may be above what is proven: neither the travel nor the whole.
-    if i128::from(file.travel.bound) > proven || file.seconds > seconds {
+    if stated > proven || file.seconds > seconds {
         return Err(format!(
             "The certificate states that no plan takes less than {} s, but its numbers prove only {seconds} s.",
-            file.seconds.max(whole_job(&file.travel, file.travel.bound.into(), &problem))
+            file.seconds.max(file.travel.whole_job(stated, &problem))
         ));
     }
     let paid = problem.paid();
@@ -221,9 +285,4 @@ fn problem(
     let options =
         PlanOptions { machine, material, place, start, allow_off_bed: true, ..PlanOptions::default() };
     Ok(job.start(&options)?.problem().clone())
-}
-
-/// The least seconds of the whole job, rounded down: a proven travel in units of the certificate, and what every plan pays.
-fn whole_job(travel: &Certificate, proven: i128, problem: &Problem) -> f64 {
-    travel.with_paid(proven, problem.items.iter().map(Item::least))
 }

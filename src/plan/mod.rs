@@ -16,5 +16,8 @@ pub use evaluate::evaluate;
 pub use from_solution::from_solution;
 pub use lower_bound::LowerBound;
 #[cfg(feature = "research")]
-pub use lower_bound::{Certificate, CertificateFault, Part, PricedCut, ShareBound, SharedLegs};
+pub use lower_bound::{
+    Certificate, CertificateFault, CutPart, Part, PricedCut, PricedParts, ShareBound, SharedLegs, StopBound,
+    StopCertificate, with_paid,
+};
 pub use model::{Leads, Move, Plan, Summary, Turn, Way};

@@ -216,3 +216,33 @@ fn a_changed_number_proves_no_more() {
         "The units of the certificate do not fit the problem."
     );
 }
+
+/// Contours that may be left unfinished have certificates of another kind, under the same rules.
+#[test]
+fn contours_that_may_be_left_have_certificates() {
+    let drawing = grid(5, 4);
+    let leaving = Profile { pre_cut_time: Some(0.3), ..preset("co2-100w").unwrap() };
+    let options =
+        PlanOptions { machine: MachineChoice::Profile(Box::new(leaving)), ..PlanOptions::default() };
+    for options in [on("length-partial"), options] {
+        let (text, seconds) = written(&drawing, &options, 30_000_000);
+        assert!(text.contains("\"potentials\":"));
+        let proven = verified(&text, &drawing, None).unwrap();
+        assert!(proven <= seconds && proven >= seconds * (1.0 - 1e-9), "{proven} of {seconds}");
+        let mut job = Job::load(drawing.clone(), "grid.dxf", &LoadOptions::default()).unwrap();
+        job.start(&options).unwrap();
+        job.run_mut().unwrap().step(300_000);
+        let total = job.plan().unwrap().summary.total_time;
+        assert!(proven <= total && proven > 0.8 * total, "{proven} of {total}");
+        assert!(verified(&text, &grid(4, 4), None).is_err());
+        let above = with(&text, &["travel", "bound"], |v| (v.as_i64().unwrap() + 1).into());
+        assert!(verified(&above, &drawing, None).unwrap_err().contains("prove only"));
+        let changed = with(&text, &["travel", "potentials", "3", "0"], |v| {
+            (v.as_i64().unwrap() + 1_000_000_000_000).into()
+        });
+        assert_eq!(
+            verified(&changed, &drawing, None).unwrap_err(),
+            "In the certificate, a leg costs less than it pays."
+        );
+    }
+}

@@ -23,7 +23,7 @@ use rand::RngExt;
 use std::collections::HashMap;
 
 /// Cutting at one speed, so that all but the order is the same. Piercing takes seconds, and so do long air moves.
-fn plate() -> Profile {
+pub(crate) fn plate() -> Profile {
     let mut machine = thick();
     machine.cut.accel = None;
     machine.rapid.speed = [50.0, 50.0];
@@ -32,9 +32,9 @@ fn plate() -> Profile {
 }
 
 /// Rectangles by lattice: left, bottom, width, height.
-type Part = [i32; 4];
+pub(crate) type Part = [i32; 4];
 /// An open cut from one place to another, in cells of the lattice.
-type Slit = [[f64; 2]; 2];
+pub(crate) type Slit = [[f64; 2]; 2];
 
 fn place(p: [f64; 2]) -> DVec2 {
     DVec2::from(p) * CELL
@@ -54,7 +54,7 @@ fn plate_drawing(parts: &[Part], slits: &[Slit]) -> Vec<u8> {
     text.replace("0\nENDSEC\n0\nEOF", &format!("{lines}0\nENDSEC\n0\nEOF")).into_bytes()
 }
 
-fn load(parts: &[Part], slits: &[Slit]) -> Job {
+pub(crate) fn load(parts: &[Part], slits: &[Slit]) -> Job {
     Job::load(plate_drawing(parts, slits), "plate.dxf", &LoadOptions::default()).unwrap()
 }
 
@@ -142,7 +142,7 @@ fn brute(net: &mut ByHand, machine: &Profile, slits: &[Slit]) -> f64 {
 }
 
 /// The problem with groups that are cut in one go.
-fn in_one_go(problem: &Problem) -> Problem {
+pub(crate) fn in_one_go(problem: &Problem) -> Problem {
     let mut whole = problem.clone();
     whole.items.iter_mut().flat_map(|i| &mut i.paths).for_each(|p| p.leave_points.clear());
     whole
@@ -228,7 +228,7 @@ fn a_path_with_longer_air_moves_that_others_bridge_is_the_least_of_all() {
 }
 
 /// Parts on a lattice with slits in them and beside them.
-fn random(seed: u64) -> (Vec<Part>, Vec<Slit>) {
+pub(crate) fn random(seed: u64) -> (Vec<Part>, Vec<Slit>) {
     let mut rng = seeded(seed);
     let mut below = |n: i32| rng.random_range(0..n);
     let (columns, rows) = (2 + below(3), 1 + below(3));

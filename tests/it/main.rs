@@ -73,6 +73,7 @@ mod skeleton;
 mod solve_exact;
 mod solve_partial;
 mod solve_search;
+mod stop_bound;
 mod svg_files;
 mod svg_oracle;
 mod tips;

@@ -18,7 +18,7 @@ fn point(v: &Value) -> DVec2 {
 }
 
 /// Sheets with their exact optima.
-fn hull(name: &str) -> Vec<(Sheet, f64)> {
+pub(crate) fn hull(name: &str) -> Vec<(Sheet, f64)> {
     let file = format!("{}/tests/fixtures/hull/{name}.json", env!("CARGO_MANIFEST_DIR"));
     let all: Vec<Value> = serde_json::from_str(&std::fs::read_to_string(file).unwrap()).unwrap();
     let sheet = |v: &Value| {
@@ -33,7 +33,7 @@ fn hull(name: &str) -> Vec<(Sheet, f64)> {
 }
 
 /// The problem with entries at corners only, as in the paper.
-fn at_corners(sheet: &Sheet, machine: &Profile) -> Problem {
+pub(crate) fn at_corners(sheet: &Sheet, machine: &Profile) -> Problem {
     let mut problem = problem_of(sheet, machine);
     problem.nodes.clear();
     for ((item, contour), id) in problem.items.iter_mut().zip(&sheet.contours).zip(0..) {

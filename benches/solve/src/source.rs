@@ -82,6 +82,35 @@ impl Source {
         Some(Self { name, problem, known: None, cut_seconds: None, kind: Kind::Points })
     }
 
+    /// Plans a sheet for another machine; no value is known then. `at_ends`: contours are entered and left only where their
+    /// elements end.
+    pub fn on(&mut self, machine: &str, at_ends: bool) -> Result<(), String> {
+        let Kind::Sheet(sheet) = &self.kind else {
+            return Err(format!("{}: only drawings have a machine.", self.name));
+        };
+        self.problem = problem_of(sheet, &preset(machine)?);
+        if at_ends {
+            let ends = |contour: &kerfway::sheet::Contour| {
+                let along = contour.path.segments.iter().scan(0.0, |s, e| {
+                    *s += e.length();
+                    Some((*s - e.length(), e.start()))
+                });
+                along.collect::<Vec<_>>()
+            };
+            self.problem.nodes.clear();
+            for ((item, contour), id) in self.problem.items.iter_mut().zip(&sheet.contours).zip(0..) {
+                let first = u32::try_from(self.problem.nodes.len()).map_err(|e| e.to_string())?;
+                for ((along, entry), twin) in ends(contour).into_iter().zip(first..) {
+                    self.problem.nodes.push(Node { item: id, entry, exit: entry, along, reversed: false, twin });
+                }
+                item.nodes = first..u32::try_from(self.problem.nodes.len()).map_err(|e| e.to_string())?;
+                item.track = None;
+            }
+        }
+        self.known = None;
+        Ok(())
+    }
+
     /// Seconds of the air moves of a solution on [`MACHINE`]; none where a table of costs is given.
     pub fn air_seconds(&self, solution: &Solution) -> Option<f64> {
         if self.problem.table().is_some() {

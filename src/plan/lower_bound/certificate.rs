@@ -83,6 +83,9 @@ pub enum CertificateFault {
     /// A list has another length than the problem asks for, or names an item that is not there.
     #[error("The {0} of the certificate do not fit the problem.")]
     Shape(&'static str),
+    /// A leg or a stop costs less than the numbers make it pay.
+    #[error("In the certificate, a {0} costs less than it pays.")]
+    Overpaid(&'static str),
     /// The numbers prove another bound than the certificate states.
     #[error("The certificate states a bound of {stated} units, but its numbers prove {proven}.")]
     Bound {
@@ -127,10 +130,23 @@ pub(super) fn units(seconds: f64, power: i32) -> i64 {
     whole.clamp(-(1 << 50), 1 << 50)
 }
 
+/// Seconds below this many units, which are this power of two.
+pub(super) fn below(power: i32, whole: i128) -> f64 {
+    // Rounded to the nearest; one unit less is below it.
+    libm::ldexp((whole - 1) as f64, power)
+}
+
+/// A proven travel in units, and the seconds that every plan pays besides: their sum, s, rounded down.
+pub fn with_paid(power: i32, proven: i128, paid: impl Iterator<Item = f64>) -> f64 {
+    #[expect(clippy::cast_possible_truncation, reason = "whole")]
+    let whole = |seconds: f64| libm::ldexp(seconds, -power).floor() as i128;
+    below(power, proven + paid.map(whole).sum::<i128>())
+}
+
 impl Certificate {
     /// The bound of travel, s.
     pub fn seconds(&self) -> f64 {
-        self.below(self.bound.into())
+        below(self.unit, self.bound.into())
     }
 
     /// Adds the numbers up again, in whole numbers, and returns the bound of travel of every tour of the problem, s.
@@ -143,19 +159,6 @@ impl Certificate {
             return Err(CertificateFault::Bound { stated: self.bound, proven });
         }
         Ok(self.seconds())
-    }
-
-    /// A proven travel in units, and the seconds that every plan pays besides: their sum, s, rounded down.
-    pub fn with_paid(&self, proven: i128, paid: impl Iterator<Item = f64>) -> f64 {
-        #[expect(clippy::cast_possible_truncation, reason = "whole")]
-        let whole = |seconds: f64| libm::ldexp(seconds, -self.unit).floor() as i128;
-        self.below(proven + paid.map(whole).sum::<i128>())
-    }
-
-    /// Seconds below this many units.
-    fn below(&self, whole: i128) -> f64 {
-        // Rounded to the nearest; one unit less is below it.
-        libm::ldexp((whole - 1) as f64, self.unit)
     }
 
     /// The bound that the numbers prove, in units.

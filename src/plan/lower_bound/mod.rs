@@ -47,7 +47,8 @@
 //! charges are rebates (`pi <= 0`), legs beyond the second only cost more: travel = (legs priced with charges) - (charges
 //! times legs at each item) >= (legs priced with charges) - 2 (sum of charges). No rebate exceeds half the leg to the nearest
 //! other item, so that no leg has a negative price, and the legs cost at least the minimum tree and the two cheapest legs of
-//! home. The seconds for leaving and resuming are left out, which is safe.
+//! home. The seconds for leaving and resuming are left out, which is safe. A proof beside the search has a far stronger bound for these problems,
+//! and one for pierce groups (`postman`).
 //!
 //! # The bound of the whole job
 //!
@@ -61,26 +62,36 @@
 #[cfg(feature = "research")]
 mod certificate;
 mod cheap;
+#[cfg(feature = "research")]
+mod halving;
 mod minorant;
 mod net;
 mod order;
 mod orders;
 mod pairs;
+#[cfg(feature = "research")]
+mod postman;
 mod prices;
 mod rounds;
 #[cfg(feature = "research")]
 mod shares;
 mod space;
+#[cfg(feature = "research")]
+mod stop_certificate;
 mod tree;
 mod walks;
 
 use crate::problem::{Item, Problem};
 #[cfg(feature = "research")]
-pub use certificate::{Certificate, CertificateFault, Part, PricedCut, SharedLegs};
+pub use certificate::{Certificate, CertificateFault, Part, PricedCut, SharedLegs, with_paid};
 use cheap::Cheap;
+#[cfg(feature = "research")]
+pub use postman::StopBound;
 use rounds::Strong;
 #[cfg(feature = "research")]
 pub use shares::ShareBound;
+#[cfg(feature = "research")]
+pub use stop_certificate::{CutPart, PricedParts, StopCertificate};
 
 /// Most items for the strong bound: with more, one pass over all walks takes about a second.
 const STRONG: usize = 220;

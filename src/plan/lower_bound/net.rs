@@ -93,7 +93,7 @@ fn of_item(problem: &Problem, item: &problem::Item) -> Item {
     points(&ends, true)
 }
 
-fn points(places: &[DVec2], paired: bool) -> Item {
+pub(super) fn points(places: &[DVec2], paired: bool) -> Item {
     let pieces: Vec<Piece> = places
         .iter()
         .enumerate()

@@ -12,6 +12,8 @@ pub(super) struct Prices {
     end: Option<usize>,
     table: Option<Box<Given>>,
     directed: bool,
+    #[cfg(feature = "research")]
+    none_below: Option<f64>,
 }
 
 /// Given costs; they may differ by direction.
@@ -34,7 +36,16 @@ impl Prices {
             end: (given.is_none() && !problem.closed).then_some(1),
             table: given,
             directed: problem.table().is_some_and(|t| !t.is_symmetric()),
+            #[cfg(feature = "research")]
+            none_below: None,
         }
+    }
+
+    /// The same, but where one of the four numbers between two pieces would be less than `least`, which is not negative, all are 0:
+    /// so many seconds does every leg take, without rounding.
+    #[cfg(feature = "research")]
+    pub(super) fn none_below(self, least: f64) -> Self {
+        Self { none_below: Some(least), ..self }
     }
 
     /// Whether costs are given by a table: boxes then mean nothing.
@@ -58,6 +69,13 @@ impl Prices {
                 [[given.table.cost(a, b); 2]; 2]
             }
             _ if self.end == Some(items[0]) => [[0.0; 2]; 2],
+            #[cfg(feature = "research")]
+            _ if self.none_below.is_some() => {
+                let corners = self.minorant.corners(p, q);
+                let small =
+                    corners.as_flattened().iter().any(|&s| self.none_below.is_some_and(|least| s < least));
+                if small { [[0.0; 2]; 2] } else { corners }
+            }
             _ => self.minorant.corners(p, q),
         }
     }

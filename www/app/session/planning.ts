@@ -18,10 +18,10 @@ const SETTLE = 350;
 const WORKERS = Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), 4);
 
 /**
- * With more than `many` contours the bound beside the search is weak, and up to `few` the path can be proven optimal. From the tenth second on a worker
- * of its own works on that; the file for it is not part of a first visit.
+ * From this second on, a worker of its own works on a stronger bound than the search's, or proves that the path is optimal; the file for it is not
+ * part of a first visit.
  */
-const PROVE = { few: 128, many: 220, after: 10 };
+const PROVE_AFTER = 10;
 
 export class Planning {
   private readonly latest = new Latest();
@@ -119,8 +119,7 @@ export class Planning {
     return (progress) => {
       if (!isLatest()) return;
       this.store.planProgressed(addedTo(this.before, progress));
-      const { contours } = progress.summary;
-      if ((contours <= PROVE.few || contours > PROVE.many) && progress.seconds > PROVE.after) this.prove();
+      if (progress.seconds > PROVE_AFTER) this.prove();
     };
   }
 

@@ -1,14 +1,18 @@
 //! The lower bound on benchmark instances and sheets, natively: `kerfway-bench-bound FILE... [--seconds S] [--upper U] [--open]`.
 //! JSON lines: one whenever the clock has doubled, and one at the end. The known best value, or `--upper`, sets the
 //! length of its steps, as the search's best does in a plan. `--shares`: the bound by shares, whose certificate is checked again
-//! at the end. `--open`: the path does not return home. Seconds are those of the processor.
+//! at the end. `--stops`: the same with the bound by stops, for contours that may be left and pierce groups. `--open`: the path does not
+//! return home. `--machine NAME`: that of a drawing, in place of `length`, `--ends`: its closed contours are
+//! entered and left only where their elements end. `--search MOVES`: the value known is that of a search of so many
+//! moves. Seconds are those of the processor.
 
 #[path = "../source.rs"]
 #[allow(dead_code, reason = "the search's driver uses more of it")]
 mod source;
 
 use cpu_time::ThreadTime;
-use kerfway::plan::{LowerBound, ShareBound};
+use kerfway::plan::{LowerBound, ShareBound, StopBound};
+use kerfway::solve;
 use source::Source;
 
 /// Work between two looks at the clock: a few milliseconds.
@@ -18,13 +22,18 @@ const FIRST_LINE: f64 = 0.25;
 
 fn main() {
     let mut files = Vec::new();
-    let (mut seconds, mut upper, mut shares, mut open) = (10.0, None, false, false);
+    let (mut seconds, mut upper, mut which, mut open) = (10.0, None, Which::Search, false);
+    let (mut machine, mut moves, mut at_ends) = (None, None, false);
     let mut args = std::env::args().skip(1);
     while let Some(word) = args.next() {
         let number = |next: Option<String>| next.and_then(|n| n.parse::<f64>().ok());
         match word.as_str() {
             "--seconds" => seconds = number(args.next()).unwrap_or(seconds),
-            "--shares" => shares = true,
+            "--shares" => which = Which::Shares,
+            "--stops" => which = Which::Stops,
+            "--machine" => machine = args.next(),
+            "--ends" => at_ends = true,
+            "--search" => moves = args.next().and_then(|n| n.parse::<u64>().ok()),
             "--open" => open = true,
             "--upper" => upper = number(args.next()),
             _ => files.push(word),
@@ -34,10 +43,20 @@ fn main() {
         match Source::read(&file) {
             Ok(mut sources) => {
                 for source in &mut sources {
+                    // The rules of the paper are no drawing's.
+                    if machine.as_ref().is_some_and(|m| source.on(m, at_ends).is_err()) {
+                        continue;
+                    }
                     if open {
                         (source.problem.closed, source.problem.machine.return_home) = (false, false);
                     }
-                    bound(source, seconds, upper, shares);
+                    if let Some(moves) = moves {
+                        let mut search = solve::methods()[0].start(&source.problem, 1, None);
+                        search.step(moves);
+                        let fixed: f64 = source.problem.items.iter().map(|i| i.fixed).sum();
+                        source.known = Some(search.best().cost + fixed - source.problem.paid());
+                    }
+                    bound(source, seconds, upper, which);
                 }
             }
             Err(why) => {
@@ -48,10 +67,18 @@ fn main() {
     }
 }
 
-/// One of the two bounds.
+#[derive(Clone, Copy)]
+enum Which {
+    Search,
+    Shares,
+    Stops,
+}
+
+/// One of the bounds.
 enum Kind {
     Search(LowerBound),
     Shares(Box<ShareBound>),
+    Stops(Box<StopBound>),
 }
 
 impl Kind {
@@ -59,6 +86,7 @@ impl Kind {
         match self {
             Self::Search(bound) => bound.improve(SLICE, upper),
             Self::Shares(bound) => bound.improve(SLICE),
+            Self::Stops(bound) => bound.improve(SLICE),
         }
     }
 
@@ -66,21 +94,23 @@ impl Kind {
         match self {
             Self::Search(bound) => bound.value(),
             Self::Shares(bound) => bound.value(),
+            Self::Stops(bound) => bound.value(),
         }
     }
 }
 
-fn bound(source: &Source, seconds: f64, upper: Option<f64>, shares: bool) {
+fn bound(source: &Source, seconds: f64, upper: Option<f64>, which: Which) {
     let Some(upper) = upper.or(source.known) else {
         eprintln!("{}: no value is known; give one by --upper.", source.name);
         return;
     };
     let clock = ThreadTime::now();
-    let mut bound = match shares.then(|| ShareBound::new(&source.problem)) {
-        None => Kind::Search(LowerBound::new(&source.problem)),
-        Some(Some(bound)) => Kind::Shares(Box::new(bound)),
-        Some(None) => return eprintln!("{}: the bound by shares does not apply.", source.name),
+    let bound = match which {
+        Which::Search => Some(Kind::Search(LowerBound::new(&source.problem))),
+        Which::Shares => ShareBound::new(&source.problem).map(|b| Kind::Shares(Box::new(b))),
+        Which::Stops => StopBound::new(&source.problem).map(|b| Kind::Stops(Box::new(b))),
     };
+    let Some(mut bound) = bound else { return eprintln!("{}: this bound does not apply.", source.name) };
     let (mut next, mut longest, mut slices) = (FIRST_LINE, 0.0_f64, 0_u64);
     loop {
         let before = clock.elapsed().as_secs_f64();
@@ -100,9 +130,12 @@ fn bound(source: &Source, seconds: f64, upper: Option<f64>, shares: bool) {
             println!("{row}");
         }
         if over {
-            if let Kind::Shares(bound) = &bound
-                && let Some(Err(fault)) = bound.certificate().map(|c| c.check(&source.problem))
-            {
+            let checked = match &bound {
+                Kind::Search(_) => None,
+                Kind::Shares(bound) => bound.certificate().map(|c| c.check(&source.problem)),
+                Kind::Stops(bound) => bound.certificate().map(|c| c.check(&source.problem)),
+            };
+            if let Some(Err(fault)) = checked {
                 eprintln!("{}: {fault}", source.name);
             }
             return;

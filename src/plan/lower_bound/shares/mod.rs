@@ -31,7 +31,7 @@
 mod cut;
 mod cuts;
 mod exact;
-mod powers;
+pub(super) mod powers;
 mod refine;
 mod soft;
 

@@ -1,0 +1,274 @@
+//! Certificates of the bound by stops (`postman`), and their check in whole numbers. As with [`super::Certificate`], how the numbers were
+//! found does not matter; the check shares the division of contours, the seconds between pieces and the stops of items with the search.
+
+use super::certificate::{CertificateFault, Part, below, unit, units};
+use super::net::{Item, homes};
+use super::pairs::{Pairs, box_seconds};
+use super::postman::{Member, Stop, Stops, applies, members};
+use super::prices::Prices;
+use crate::problem::Problem;
+use serde::{Deserialize, Serialize};
+
+/// One of the parts into which a cut divides all places.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CutPart {
+    /// The items that it holds whole, in ascending order.
+    pub members: Vec<usize>,
+    /// The items of which it holds some knots, in ascending order.
+    pub some: Vec<Part>,
+    /// The item of `some` whose stops here are counted; without one, the part holds an item whole, and so a stop.
+    pub visited: Option<usize>,
+}
+
+/// Parts that are joined by every plan, with the price of joining one to the others.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PricedParts {
+    /// The parts without that of home, which holds all places that are not listed.
+    pub parts: Vec<CutPart>,
+    /// In units, not negative: with n parts beside that of home, a leg between two parts pays n times this, and each joined part
+    /// n + 1 times.
+    pub price: i64,
+}
+
+/// Numbers that prove a bound of travel with contours that may be left, or with pierce groups.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StopCertificate {
+    /// The unit is 2 to this power, in seconds.
+    pub unit: i32,
+    /// Arc length of the knots along each item that may be entered anywhere, mm; empty for other items. Home is item 0 and the end of an
+    /// open path item 1; contours that are cut with others are left out.
+    pub knots: Vec<Vec<f64>>,
+    /// The potential of each knot, in units: no leg takes less than those of its two ends and what it pays to cuts.
+    pub potentials: Vec<Vec<i64>>,
+    /// The cuts with prices.
+    pub cuts: Vec<PricedParts>,
+    /// The bound that follows, in units.
+    pub bound: i64,
+}
+
+impl StopCertificate {
+    /// The bound of travel, s.
+    pub fn seconds(&self) -> f64 {
+        below(self.unit, self.bound.into())
+    }
+
+    /// Adds the numbers up again, in whole numbers, and returns the bound of travel of every plan of the problem, s.
+    ///
+    /// # Errors
+    /// What does not fit, or which bound the numbers prove instead.
+    pub fn check(&self, problem: &Problem) -> Result<f64, CertificateFault> {
+        let proven = self.adds_up_to(problem)?;
+        if proven != i128::from(self.bound) {
+            return Err(CertificateFault::Bound { stated: self.bound, proven });
+        }
+        Ok(self.seconds())
+    }
+
+    /// The bound that the numbers prove, in units.
+    ///
+    /// # Errors
+    /// What does not fit the problem, or a leg or a stop that costs less than it pays.
+    pub fn adds_up_to(&self, problem: &Problem) -> Result<i128, CertificateFault> {
+        if !applies(problem) {
+            return Err(CertificateFault::Problem);
+        }
+        let first = homes(problem);
+        let mut members = members(problem);
+        if self.knots.len() != members.len() || self.potentials.len() != members.len() {
+            return Err(CertificateFault::Shape("knots"));
+        }
+        for (member, along) in members.iter_mut().zip(&self.knots) {
+            member.item = member.item.with_knots(along).ok_or(CertificateFault::Shape("knots"))?;
+        }
+        if self.potentials.iter().zip(&members).any(|(u, m)| u.len() != m.item.knots) {
+            return Err(CertificateFault::Shape("potentials"));
+        }
+        let items: Vec<Item> = members.iter().map(|m| m.item.clone()).collect();
+        let prices = Prices::new(problem);
+        let (power, guard) = unit(&items, &prices, problem);
+        let prices = prices.none_below(guard);
+        if power != self.unit {
+            return Err(CertificateFault::Shape("units"));
+        }
+        let cuts = Cuts::read(&self.cuts, &members, first).ok_or(CertificateFault::Shape("cuts"))?;
+        self.legs_are_paid(&items, &prices, (power, guard), first, &cuts)?;
+        let mut sum = cuts.joined;
+        for (k, member) in members.iter().enumerate() {
+            sum += self.cheapest(k, member, power, &cuts).ok_or(CertificateFault::Overpaid("stop"))?;
+        }
+        Ok(sum)
+    }
+
+    /// Whether no leg pays more than it takes.
+    fn legs_are_paid(
+        &self,
+        items: &[Item],
+        prices: &Prices,
+        (power, guard): (i32, f64),
+        first: usize,
+        cuts: &Cuts,
+    ) -> Result<(), CertificateFault> {
+        let most: Vec<i128> =
+            self.potentials.iter().map(|u| u.iter().copied().max().unwrap_or(0).into()).collect();
+        for b in first..items.len() {
+            for a in 0..b {
+                if a >= first {
+                    let (p, q) = (items[a].around, items[b].around);
+                    let seconds = box_seconds(prices, p.min, p.max, q.min, q.max);
+                    let room = takes(seconds, power, guard) - most[a] - most[b];
+                    if room >= cuts.all || room >= cuts.most_between([a, b]) {
+                        continue;
+                    }
+                }
+                let mut pairs = Pairs::new(items.len());
+                pairs.add(items, prices, [a, b], true);
+                let [n, m] = [a, b].map(|k| items[k].knots);
+                let crossing = cuts.between([a, b], [n, m]);
+                for (at, (&seconds, paid)) in
+                    pairs.table(&pairs.list[0], n * m).iter().zip(&crossing).enumerate()
+                {
+                    let both =
+                        i128::from(self.potentials[a][at / m]) + i128::from(self.potentials[b][at % m]);
+                    if both + paid > takes(seconds, power, guard) {
+                        return Err(CertificateFault::Overpaid("leg"));
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The least that an item pays for its stops; `None` if a further stop is worth less than nothing, so that there is no least.
+    fn cheapest(&self, k: usize, member: &Member, power: i32, cuts: &Cuts) -> Option<i128> {
+        let (u, pay, refund) = (&self.potentials[k], &cuts.pay[k], cuts.refund[k]);
+        let at = |v: usize| i128::from(u[v]);
+        let knots = 0..member.item.knots;
+        match &member.stops {
+            Stops::End => Some(at(0)),
+            Stops::Anywhere(again) => {
+                let stop = |v: usize| 2 * at(v) + pay[v];
+                let again = again.map(|s| i128::from(units(s, power)) - refund);
+                let overpaid = again.is_some_and(|again| knots.clone().any(|v| stop(v) + again < 0));
+                knots.map(stop).min().filter(|_| !overpaid)
+            }
+            Stops::Pairs => knots.step_by(2).map(|v| at(v) + at(v + 1) + pay[v]).min(),
+            Stops::Paths(choices) => {
+                let stop = |s: &Stop| {
+                    i128::from(units(s.seconds, power)) + at(s.ends[0]) + at(s.ends[1]) + pay[s.ends[0]]
+                };
+                let more = |s: &Stop| (stop(s) - refund).min(0);
+                choices.iter().map(|c| stop(&c.stop) + c.more.iter().map(more).sum::<i128>()).min()
+            }
+        }
+    }
+}
+
+/// What a leg takes at least, in units: no leg takes less than nothing, and numbers below the guard are exactly 0.
+fn takes(seconds: f64, power: i32, guard: f64) -> i128 {
+    units(seconds - guard, power).max(0).into()
+}
+
+/// A cut as the check reads it.
+struct Read {
+    /// For each item the part of each knot, and of all knots if it is the same.
+    part_of: Vec<Vec<usize>>,
+    whole: Vec<Option<usize>>,
+    /// What a leg between two parts pays.
+    of_leg: i128,
+}
+
+/// The cuts as the check reads them.
+struct Cuts {
+    list: Vec<Read>,
+    /// For each knot of each item what a stop there pays, and for each item what a further stop gets back.
+    pay: Vec<Vec<i128>>,
+    refund: Vec<i128>,
+    /// What every plan pays because parts hold items whole.
+    joined: i128,
+    /// What a leg pays that crosses all cuts.
+    all: i128,
+}
+
+impl Cuts {
+    /// `None` if the cuts do not fit the items.
+    fn read(list: &[PricedParts], members: &[Member], first: usize) -> Option<Self> {
+        let mut cuts = Self {
+            list: Vec::with_capacity(list.len()),
+            pay: members.iter().map(|m| vec![0; m.item.knots]).collect(),
+            refund: vec![0; members.len()],
+            joined: 0,
+            all: 0,
+        };
+        for cut in list {
+            let count = i128::try_from(cut.parts.len()).ok()?;
+            let price = i128::from(cut.price);
+            if price < 0 || count == 0 {
+                return None;
+            }
+            let mut part_of: Vec<Vec<usize>> = members.iter().map(|m| vec![0; m.item.knots]).collect();
+            let mut take = |item: usize, knot: usize, part: usize| {
+                // Home's part is not listed, and no knot is in two parts.
+                let of = part_of.get_mut(item).filter(|_| item >= first)?.get_mut(knot)?;
+                (std::mem::replace(of, part) == 0).then_some(())
+            };
+            for (part, number) in cut.parts.iter().zip(1..) {
+                for &item in &part.members {
+                    (0..members.get(item)?.item.knots).try_for_each(|v| take(item, v, number))?;
+                }
+                for some in &part.some {
+                    some.knots.iter().try_for_each(|&v| take(some.item, v, number))?;
+                }
+                match part.visited {
+                    None if part.members.is_empty() => return None,
+                    None => cuts.joined += (count + 1) * price,
+                    Some(v) => {
+                        let of = part.some.iter().find(|s| s.item == v)?;
+                        for &knot in &of.knots {
+                            *cuts.pay.get_mut(v)?.get_mut(knot)? += (count + 1) * price;
+                        }
+                    }
+                }
+            }
+            for (k, (member, parts)) in members.iter().zip(&part_of).enumerate() {
+                // A place lies in one part.
+                if member.places().iter().zip(parts).any(|(&place, part)| parts[place] != *part) {
+                    return None;
+                }
+                if parts.windows(2).any(|w| w[0] != w[1]) {
+                    cuts.refund[k] += (count + 1) * price;
+                }
+            }
+            let same = |parts: &Vec<usize>| {
+                parts.first().copied().filter(|first| parts.iter().all(|part| part == first))
+            };
+            let whole = part_of.iter().map(same).collect();
+            cuts.all += count * price;
+            cuts.list.push(Read { part_of, whole, of_leg: count * price });
+        }
+        Some(cuts)
+    }
+
+    /// For each leg between two items, row by row, what it pays.
+    fn between(&self, [a, b]: [usize; 2], [n, m]: [usize; 2]) -> Vec<i128> {
+        let mut crossing = vec![0; n * m];
+        for cut in self.list.iter().filter(|cut| cut.may_cross([a, b])) {
+            let legs = cut.part_of[a].iter().flat_map(|p| cut.part_of[b].iter().map(move |q| p != q));
+            crossing.iter_mut().zip(legs).filter(|l| l.1).for_each(|l| *l.0 += cut.of_leg);
+        }
+        crossing
+    }
+
+    /// At least what any leg between two items pays.
+    fn most_between(&self, ends: [usize; 2]) -> i128 {
+        self.list.iter().filter(|cut| cut.may_cross(ends)).map(|cut| cut.of_leg).sum()
+    }
+}
+
+impl Read {
+    fn may_cross(&self, [a, b]: [usize; 2]) -> bool {
+        self.whole[a].is_none() || self.whole[a] != self.whole[b]
+    }
+}
