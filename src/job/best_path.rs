@@ -126,10 +126,7 @@ impl BestPath {
             if !matches!(step, Move::Air { .. } | Move::Chain { .. }) {
                 continue;
             }
-            let next = plan.moves.iter().skip(index).find_map(|m| match m {
-                Move::Cut { contour, .. } => Some(*contour),
-                _ => None,
-            });
+            let next = plan.moves.iter().skip(index).find_map(contour_of);
             let rest = self.contours.iter().enumerate().skip(stop);
             let home = self.contours.len();
             stop = next.map_or(home, |c| rest.into_iter().find(|s| *s.1 == c).map_or(stop, |s| s.0));
@@ -166,10 +163,7 @@ impl BestPath {
         let mut stop = 0;
         for (index, step) in plan.moves.iter().enumerate() {
             let Move::Wait { seconds } = step else { continue };
-            let next = plan.moves.iter().skip(index).find_map(|m| match m {
-                Move::Cut { contour, .. } => Some(*contour),
-                _ => None,
-            });
+            let next = plan.moves.iter().skip(index).find_map(contour_of);
             let rest = self.contours.iter().skip(stop);
             stop += rest.zip(0..).find(|s| Some(*s.0) == next).map_or(0, |s| s.1);
             if let Some(noted) = self.waits.get_mut(stop) {
@@ -193,6 +187,11 @@ impl BestPath {
     }
 }
 
+/// The contour of a cut.
+fn contour_of(step: &Move) -> Option<u32> {
+    if let Move::Cut { contour, .. } = step { Some(*contour) } else { None }
+}
+
 /// The leads of the stops.
 fn leads(run: &Run) -> Geometry {
     let problem = run.problem();
@@ -209,8 +208,7 @@ fn leads(run: &Run) -> Geometry {
             paths.extend(vec![Path::default(); 2 * path.spans().count() - 1]);
             continue;
         }
-        // What begins at the edge of the sheet is a chain.
-        let lead = item.and_then(|i| i.lead(stop.node)).map(|l| l.0).filter(|lead| !lead.from_edge);
+        let lead = item.and_then(|i| i.lead(stop.node)).map(|l| l.0);
         let lead = lead.cloned().unwrap_or_default();
         paths.extend([lead.lead_in, lead.lead_out].map(|path| Path::new(path, false)));
     }
@@ -252,7 +250,7 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<[f6
     let mut runs: Vec<[f64; 2]> = Vec::with_capacity(parts.len());
     let mut goes_on = false;
     let (mut now, mut head, mut height) = (0.0, machine.home(), 0.0);
-    let (mut moving, mut chained, mut process) = (false, false, machine.cut);
+    let (mut moving, mut chained) = (false, false);
     // The contour whose passes go on until the next air move.
     let mut repeated = None;
     // Since a joint was left: the elements of a motion that goes on, and whether the contour does.
@@ -277,6 +275,9 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<[f6
                 // On a kerf, the beam goes on after it went off.
                 let after_cut = index > 0 && matches!(plan.moves.get(index - 1), Some(Move::Cut { .. }));
                 now += if after_cut { 0.0 } else { machine.beam_on_delay };
+                let next = plan.moves.get(index + 1);
+                let process =
+                    next.and_then(contour_of).map_or(machine.cut, |c| sheet.process_by_id(c, machine));
                 now += cut_time(machine, &process, path);
                 head = path.last().map_or(head, Segment::end);
                 chained = true;
@@ -306,7 +307,7 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<[f6
                 let at_once = std::mem::take(&mut moving) || std::mem::take(&mut chained);
                 let begin = now + if at_once { 0.0 } else { machine.beam_on_delay };
                 motion.extend_from_slice(path);
-                process = sheet.process_by_id(*contour, machine);
+                let process = sheet.process_by_id(*contour, machine);
                 let end = begin + cut_time(machine, &process, &motion);
                 motion.clear();
                 let passes =

@@ -200,7 +200,7 @@ mod tests {
     use super::*;
     use crate::geometry::DVec2;
     use crate::machine;
-    use crate::problem::{Groups, Item, Links, Node};
+    use crate::problem::{Groups, Item, Links, Node, Starts};
 
     /// Three items with two entries each; the first lies inside the last.
     fn problem() -> Problem {
@@ -231,6 +231,7 @@ mod tests {
             zones: None,
             cooling: None,
             links: Links::default(),
+            starts: Starts::default(),
         }
     }
 

@@ -142,7 +142,7 @@ impl Ladder<'_, '_> {
             let (lead_out, fit) = self.lead_out(&exit);
             Some(Found {
                 along: spot.along,
-                lead: Lead { lead_in, overcut, lead_out, from_edge: false },
+                lead: Lead { lead_in, overcut, lead_out, approach: None },
                 lead_out: fit,
             })
         };

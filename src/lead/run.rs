@@ -11,8 +11,9 @@ pub struct Lead {
     pub overcut: f64,
     /// From where the contour ends; empty for none.
     pub lead_out: Vec<Segment>,
-    /// The lead-in begins at the edge of the sheet, where nothing is pierced.
-    pub from_edge: bool,
+    /// A straight cut through waste to where the lead-in begins, from a kerf or from the edge of the sheet, where nothing is
+    /// pierced. It is no part of the cut.
+    pub approach: Option<Segment>,
 }
 
 /// The elements of a cut, with how many of them are not the contour itself.
@@ -29,6 +30,11 @@ pub struct Run {
 }
 
 impl Lead {
+    /// Whether the contour is cut once around and nothing else.
+    pub fn is_bare(&self) -> bool {
+        self.lead_in.is_empty() && self.lead_out.is_empty() && self.overcut.total_cmp(&0.0).is_eq()
+    }
+
     /// Where a run around a closed contour of `length` mm ends if it is entered at `along`: the arc length from the
     /// contour's start, mm.
     pub(super) fn end(overcut: f64, along: f64, length: f64) -> f64 {
@@ -98,7 +104,7 @@ mod tests {
             lead_in: line(DVec2::new(5.0, -3.0), at),
             overcut: 1.0,
             lead_out: line(DVec2::new(6.0, 0.0), DVec2::new(6.0, -2.0)),
-            from_edge: false,
+            approach: None,
         };
         let run = lead.run(&square(), 5.0);
         assert_eq!((run.lead_in, run.overcut, run.lead_out), (1, 1, 1));

@@ -97,8 +97,8 @@ pub struct Chains {
     #[serde(default = "chain_clearance")]
     #[cfg_attr(test, ts(as = "Option<f64>"))]
     pub clearance: f64,
-    /// Such a cut may also begin elsewhere on the kerf of the contour that was cut last, or at the edge of the sheet: the head moves there
-    /// with the beam off, and the beam goes on without piercing. Default false.
+    /// Such a cut may also begin on the kerf of any contour that was cut before, or at the edge of the sheet: the head moves there
+    /// with the beam off, and the beam goes on without piercing. Skeleton cuts begin at the edge and on each other, too. Default false.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     #[cfg_attr(test, ts(as = "Option<bool>"))]
     pub edge_starts: bool,

@@ -6,7 +6,7 @@
 use super::air::AirMoves;
 use super::model::{Move, Summary, Turn, Way};
 use crate::geometry::{Aabb, DVec2, Segment};
-use crate::machine::{AirTime, CornerKind, PLANS_ALL_LEVERS, Process, Profile, cut_time};
+use crate::machine::{AirTime, CornerKind, PLANS_ALL_LEVERS, Profile, cut_time};
 use crate::sheet::Sheet;
 use std::borrow::Cow;
 
@@ -37,10 +37,10 @@ pub(super) struct Sums<'a> {
     around: bool,
     /// Whether the beam is still on after a chain.
     chained: bool,
+    /// The cut through waste that the next cut follows, at the speed of that one.
+    to_cut: Vec<Segment>,
     /// Whether the last move was a cut.
     after_cut: bool,
-    /// That of the last cut.
-    process: Process,
     worked: Vec<bool>,
     /// Seconds at the end of the last cut that is no skeleton cut.
     parts_end: f64,
@@ -62,8 +62,8 @@ impl<'a> Sums<'a> {
             moving: false,
             around: false,
             chained: false,
+            to_cut: Vec::new(),
             after_cut: false,
-            process: machine.cut,
             worked: vec![false; sheet.contours.len()],
             parts_end: 0.0,
             motion: Vec::new(),
@@ -127,7 +127,7 @@ impl<'a> Sums<'a> {
                 sum.chains += 1;
                 sum.chain_length += length;
                 sum.cut_length += length;
-                sum.cut_time += cut_time(machine, &self.process, path);
+                self.to_cut.clone_from(path);
                 self.bounds = path.iter().fold(self.bounds, |b, s| b.union(s.bounds()));
                 self.head = path.last().map_or(self.head, Segment::end);
                 // On a kerf, the beam goes on after it went off.
@@ -150,7 +150,10 @@ impl<'a> Sums<'a> {
                         *worked = true;
                     }
                 }
-                self.process = self.sheet.process_by_id(*contour, machine);
+                let process = self.sheet.process_by_id(*contour, machine);
+                if !self.to_cut.is_empty() {
+                    sum.cut_time += cut_time(machine, &process, &std::mem::take(&mut self.to_cut));
+                }
                 sum.cut_length += path.iter().map(Segment::length).sum::<f64>();
                 sum.lead_length +=
                     [lead_in, overcut, lead_out].into_iter().flatten().map(Segment::length).sum::<f64>();
@@ -166,7 +169,7 @@ impl<'a> Sums<'a> {
                         self.motion.extend(path);
                         Cow::Owned(std::mem::take(&mut self.motion))
                     };
-                    sum.cut_time += cut_time(machine, &self.process, &whole);
+                    sum.cut_time += cut_time(machine, &process, &whole);
                     // With a chain before it, the beam is on already, and goes off once.
                     if !std::mem::take(&mut self.chained) {
                         sum.pierce_time += machine.delays_of_cut(std::mem::take(&mut self.moving));

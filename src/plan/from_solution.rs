@@ -11,22 +11,23 @@ use crate::lead::{Lead, Run, starts_moving};
 use crate::machine::{JointKind, PLANS_ALL_LEVERS, Process, Profile};
 use crate::problem::{Item, NodeId, Problem, Stroke};
 use crate::sheet::Sheet;
-use crate::solve::{Solution, Stop};
+use crate::solve::{Solution, Stop, begun};
 
 /// The plan of a solution. `solution` must belong to `problem`, and `problem` to `sheet`.
 ///
 /// Cuts are pierced in every pass; marks are not. A contour that is left unfinished gets a pre-cut where it is left, if
 /// the machine charges for pre-cuts, and is resumed without piercing; so is a pierce group. A cut pauses in sharp corners, and
 /// is interrupted by micro-joints. There is no air move if the head
-/// is already in place. Between nodes with a link there is a chain or an edge start instead, and no piercing.
+/// is already in place. Between nodes with a link there is a chain or an edge start instead, and no piercing. Each cut begins on a kerf only where
+/// that has been cut before, and otherwise in the next best way.
 pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> Plan {
     let mut moves = Vec::with_capacity(3 * solution.stops.len() + 1);
     let mut head = problem.home;
     let pre_cuts = problem.machine.makes_pre_cuts();
     // For each contour, the place where it was begun.
-    let mut begun: Vec<Option<f64>> = vec![None; sheet.contours.len()];
+    let mut begun_at: Vec<Option<f64>> = vec![None; sheet.contours.len()];
     let mut last: Option<NodeId> = None;
-    for stop in &solution.stops {
+    for stop in &begun(problem, &solution.stops) {
         let Some(node) = problem.nodes.get(stop.node as usize) else { continue };
         let contour = node.item;
         let before = last.replace(stop.node);
@@ -55,8 +56,8 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
             continue;
         }
         let lead = item.and_then(|i| i.lead(stop.node)).map(|l| l.0);
-        let from_edge = lead.filter(|lead| lead.from_edge);
-        let (path, leads) = match lead.filter(|lead| !lead.from_edge) {
+        let approach = lead.and_then(|lead| lead.approach);
+        let (path, leads) = match lead.filter(|lead| approach.is_none() || !lead.is_bare()) {
             Some(lead) => with_leads(lead, &known.path, stop.along),
             None => (path_of(&known.path, stop, node.reversed), Leads::default()),
         };
@@ -66,18 +67,18 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         if let Some(link) = link {
             link.via.iter().for_each(|&via| go(&mut moves, &mut head, via));
             moves.push(Move::Chain { path: vec![Segment::line(head, entry)] });
-        } else if let Some((lead, first)) = from_edge.and_then(|l| Some((l, l.lead_in.first()?))) {
-            go(&mut moves, &mut head, first.start());
-            moves.push(Move::Chain { path: lead.lead_in.clone() });
+        } else if let Some(approach) = approach {
+            go(&mut moves, &mut head, approach.start());
+            moves.push(Move::Chain { path: vec![approach] });
         } else {
             go(&mut moves, &mut head, entry);
         }
-        let resumed = begun[contour as usize].is_some();
+        let resumed = begun_at[contour as usize].is_some();
         let passes = sheet.passes_at_once(known, &problem.machine);
         let moving =
             item.is_none_or(|i| i.joints.is_none()) && starts_moving(sheet, &problem.machine, known, lead);
         let start = match (moving, known.is_mark()) {
-            _ if resumed || link.is_some() || from_edge.is_some() => None,
+            _ if resumed || link.is_some() || approach.is_some() => None,
             (true, _) => Some(Move::MovingStart),
             (false, true) => None,
             (false, false) => Some(Move::Pierce),
@@ -95,7 +96,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
             moves.push(Move::Height { z: 0.0 });
         }
         head = if !known.path.closed && passes.is_multiple_of(2) { entry } else { exit };
-        let start = *begun[contour as usize].get_or_insert(stop.along);
+        let start = *begun_at[contour as usize].get_or_insert(stop.along);
         #[expect(clippy::float_cmp, reason = "the last visit ends where the first began, bit for bit")]
         let left = stop.until != start;
         if left && pre_cuts {

@@ -8,7 +8,7 @@
 //!
 //! An *edge start* is the same cut from another place on the kerf of the contour that was cut last, to which the head moves with the
 //! beam off. It saves the piercing, but neither the move nor the delays. The places are those of that contour, and the nearest
-//! one to the entry.
+//! one to the entry. Starts on the kerfs of other contours that were cut before are places of entry (`kerf_starts.rs`).
 
 use super::entries::entries;
 use super::ids::NodeId;
@@ -17,7 +17,7 @@ use super::links::{Link, Links};
 use super::model::{Item, Node};
 use super::seconds::start_seconds;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment};
-use crate::lead::{Lead, Scrap, starts_moving};
+use crate::lead::{Scrap, starts_moving};
 use crate::machine::{AirTime, Chains, PLANS_ALL_LEVERS, Profile, cut_time};
 use crate::order::{real, sort_by};
 use crate::sheet::{Contour, Operation, Sheet};
@@ -44,6 +44,14 @@ struct Joined {
     places: Vec<(f64, DVec2)>,
 }
 
+/// A contour that another one may be joined to.
+pub(super) struct Neighbour<'s, 'c> {
+    pub(super) contour: u32,
+    pub(super) path: &'s Path,
+    /// Places where it may be entered, by arc length, mm.
+    pub(super) places: &'c [(f64, DVec2)],
+}
+
 /// The contours of a sheet that may be joined.
 pub(super) struct Candidates<'s> {
     sheet: &'s Sheet,
@@ -53,6 +61,7 @@ pub(super) struct Candidates<'s> {
     /// By contour: its number among them.
     of: Vec<Option<u32>>,
     boxes: BoxIndex,
+    scrap: Scrap<'s>,
 }
 
 impl<'s> Candidates<'s> {
@@ -74,9 +83,18 @@ impl<'s> Candidates<'s> {
                 && planners.joints(id).is_none()
                 && is_alone(id)
         };
-        let mut new =
-            Self { sheet, machine, lever, all: Vec::new(), of: Vec::new(), boxes: BoxIndex::new([]) };
-        new.of = vec![None; sheet.contours.len()];
+        let bed =
+            machine.bed.map(|[x0, y0, x1, y1]| Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) });
+        let bed = bed.filter(|bed| bed.contains_box(&sheet.bounds));
+        let mut new = Self {
+            sheet,
+            machine,
+            lever,
+            all: Vec::new(),
+            of: vec![None; sheet.contours.len()],
+            boxes: BoxIndex::new([]),
+            scrap: Scrap::new(&sheet.contours, lever.clearance, machine.kerf_width, bed),
+        };
         let ids = (0..).zip(&sheet.contours).filter(|(id, c)| may(*id, c));
         for (id, contour) in ids {
             let waste = if contour.depth % 2 == 1 { Some(id) } else { contour.inside };
@@ -101,13 +119,15 @@ impl<'s> Candidates<'s> {
         for (k, joined) in self.all.iter().enumerate() {
             let Some(contour) = self.contour(joined) else { continue };
             let near = self.boxes.query(contour.bounds.grown(self.lever.reach));
-            pairs.extend(near.into_iter().filter(|&n| n > k).filter_map(|n| {
-                let other = self.all.get(n)?;
-                let alike = other.waste == joined.waste && self.contour(other)?.layer == contour.layer;
-                alike.then_some((k, n))
-            }));
+            pairs.extend(near.into_iter().filter(|&n| n > k && self.are_alike(k, n)).map(|n| (k, n)));
         }
         pairs
+    }
+
+    /// Whether two contours bound one piece of waste, on one layer.
+    fn are_alike(&self, a: usize, b: usize) -> bool {
+        let known = |k: usize| self.all.get(k).and_then(|j| Some((j.waste, self.contour(j)?.layer)));
+        known(a).is_some_and(|a| Some(a) == known(b))
     }
 
     /// Notes where the contours of pairs may be entered: their entries, and before these the places opposite their neighbours,
@@ -149,13 +169,63 @@ impl<'s> Candidates<'s> {
         Some(&joined.places).filter(|p| !p.is_empty()).map(Vec::as_slice)
     }
 
+    pub(super) fn lever(&self) -> Chains {
+        self.lever
+    }
+
+    pub(super) fn scrap(&self) -> &Scrap<'s> {
+        &self.scrap
+    }
+
+    /// Whether a contour may be joined to others.
+    pub(super) fn holds(&self, contour: u32) -> bool {
+        self.of.get(contour as usize).is_some_and(Option::is_some)
+    }
+
+    /// The contours that a contour may be joined to.
+    pub(super) fn beside(&self, contour: u32) -> Vec<Neighbour<'s, '_>> {
+        let own = self.of.get(contour as usize).copied().flatten();
+        let own = own.and_then(|k| Some((k as usize, self.all.get(k as usize)?)));
+        let Some((k, known)) = own.and_then(|(k, joined)| Some((k, self.contour(joined)?))) else {
+            return Vec::new();
+        };
+        let near = self.boxes.query(known.bounds.grown(self.lever.reach));
+        let alike = near.into_iter().filter(|&n| n != k && self.are_alike(k, n)).filter_map(|n| {
+            let joined = self.all.get(n)?;
+            Some(Neighbour {
+                contour: joined.contour,
+                path: &self.contour(joined)?.path,
+                places: &joined.places,
+            })
+        });
+        alike.collect()
+    }
+
+    /// Whether a straight cut from a place on the kerf of a contour to where another one begins lies in waste. `to`: the path of the second
+    /// one and the place on it, if the cut ends there and not at a lead.
+    pub(super) fn joins(
+        &self,
+        contours: [u32; 2],
+        (path, from): (&Path, DVec2),
+        (to, entry): (Option<(&Path, f64)>, DVec2),
+    ) -> bool {
+        let way = (entry - from).normalize_or_zero();
+        let begins = End {
+            node: NodeId::MAX,
+            place: from,
+            normals: path.nearest(from).and_then(|n| normals(path, n.0)),
+        };
+        let ends = End {
+            node: NodeId::MAX,
+            place: entry,
+            normals: to.and_then(|(path, along)| normals(path, along)),
+        };
+        begins.leaves(way) && ends.leaves(-way) && self.scrap.joins(contours, from, entry)
+    }
+
     /// The links between the nodes of the contours.
     pub(super) fn links(&self, items: &[Item], nodes: &[Node]) -> Links {
         let (sheet, machine) = (self.sheet, self.machine);
-        let bed =
-            machine.bed.map(|[x0, y0, x1, y1]| Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) });
-        let bed = bed.filter(|bed| bed.contains_box(&sheet.bounds));
-        let scrap = Scrap::new(&sheet.contours, self.lever.clearance, machine.kerf_width, bed);
         let air = AirTime::new(machine);
         let mut found = Vec::new();
         for (a, b) in self.pairs() {
@@ -172,7 +242,7 @@ impl<'s> Candidates<'s> {
                         let fits = length <= self.lever.reach
                             && from.leaves(way / length)
                             && entry.leaves(-way / length)
-                            && scrap.joins([one.contour, other.contour], from.place, entry.place);
+                            && self.scrap.joins([one.contour, other.contour], from.place, entry.place);
                         fits.then(|| cut_time(machine, &process, &[Segment::line(from.place, entry.place)]))
                     };
                     let from_ends: Vec<Option<f64>> = ends.iter().map(cut).collect();
@@ -243,13 +313,11 @@ impl<'s> Candidates<'s> {
             let known = nodes.get(node as usize)?;
             let place = if entry { known.entry } else { known.exit };
             let lead = item?.lead(node).map(|l| l.0);
-            let from_edge = lead.is_some_and(|l| l.from_edge);
-            if entry && from_edge {
+            if entry && lead.is_some_and(|l| l.approach.is_some()) {
                 return None;
             }
             // A lead has left the contour in a direction of its own.
-            let free =
-                !from_edge && (known.entry != known.exit || lead.is_some_and(|l| *l != Lead::default()));
+            let free = lead.is_some_and(|l| !l.is_bare());
             Some(End { node, place, normals: if free { None } else { normals(path?, known.along) } })
         };
         ids.filter_map(end).collect()

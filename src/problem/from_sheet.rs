@@ -1,17 +1,19 @@
 //! Conversion of a sheet to a problem: one item for each contour, with entries, precedence from the nesting, and a rank.
 
 use super::chains::Candidates;
-use super::edges::Edges;
 use super::entries::entries;
 use super::fly::FlyGroups;
 use super::groups::Groups;
 use super::heat;
-use super::ids::ItemId;
+use super::ids::{ItemId, NodeId};
+use super::kerf_starts::{BareStarts, KerfStarts};
 use super::leads::{ItemLeads, LeadNode, Planners};
 use super::links::Links;
 use super::model::{Item, Node, Problem, count};
 use super::pierce_groups::PierceGroups;
 use super::seconds::{leave_seconds, seconds, start_seconds};
+use super::skeleton_starts::SkeletonStarts;
+use super::starts::Starts;
 use super::sub_path::SubPath;
 use super::tipping;
 use crate::geometry::DVec2;
@@ -42,7 +44,8 @@ use crate::sheet::{Contour, Operation, Sheet};
 ///   are ways through them.
 /// * Chains: where contours may be joined through waste, their nodes include places opposite each other, and links between nodes
 ///   say what a chain takes. A contour with links is entered at its nodes only.
-/// * Edge starts: a contour near the edge of the sheet is also entered from there, without piercing.
+/// * Edge starts: a contour near the edge of the sheet is also entered from there, without piercing, and one near others from their kerfs, once
+///   they are cut. So are skeleton cuts from the edge and from each other.
 /// * Joints: a contour with micro-joints is entered where its leads are away from them, or at the end of one. It is not left
 ///   unfinished, and is pierced at rest.
 /// * Sequences: pairs of items. Contours in a sequence are not left unfinished, and have at least the rank of those before them.
@@ -63,7 +66,9 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
     let flown = FlyGroups::new(sheet, machine, &planners, &ranks, avoided);
     let is_alone = |c| !joined.holds(c) && !flown.holds(c);
     let chained = Candidates::new(sheet, machine, &planners, is_alone);
-    let edges = Edges::new(sheet, machine);
+    let starts = KerfStarts::new(sheet, machine, chained.as_ref());
+    let skeleton = SkeletonStarts::new(sheet, machine);
+    let mut kerfs: Vec<(NodeId, ItemId)> = Vec::new();
     let keeps_together = sheet.keeps_together();
     let mut items = Vec::with_capacity(sheet.contours.len());
     let mut nodes: Vec<Node> = Vec::new();
@@ -81,8 +86,19 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
             items.push(Item::default());
             continue;
         }
+        let begins = skeleton.as_ref().and_then(|s| s.item(item, contour, rank, &mut nodes, &mut kerfs));
+        if let Some(item) = begins {
+            items.push(item);
+            continue;
+        }
         let joints = planners.joints(item).map(Box::new);
-        if let Some((leads, places, least)) = ItemLeads::new(&planners, item, contour, joints.as_deref()) {
+        let led = ItemLeads::new(&planners, item, contour, joints.as_deref());
+        if let Some((mut leads, mut places, mut least)) = led {
+            if let Some(starts) = starts.as_ref().filter(|_| joints.is_none()) {
+                let (less, on_kerfs) = starts.add(item, &mut leads, &mut places);
+                least -= less;
+                kerfs.extend(on_kerfs.into_iter().map(|(node, kerf)| (first + node, kerf)));
+            }
             push_leads(&mut nodes, item, places);
             items.push(Item {
                 nodes: first..count(&nodes),
@@ -102,15 +118,16 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
         }
         let passes = sheet.passes_at_once(contour, machine);
         let joined_places = chained.as_ref().and_then(|c| c.places(item));
-        let at_edge =
-            edges.as_ref().filter(|_| joints.is_none()).and_then(|e| e.entries(item, contour, joined_places));
-        if let Some((leads, places, least)) = at_edge {
+        let bare = starts.as_ref().filter(|_| joints.is_none() && contour.path.closed);
+        if let Some(starts) = bare.and_then(|s| s.bare(item, contour, joined_places)) {
+            let BareStarts { leads, nodes: places, least, kerfs: on_kerfs } = starts;
+            kerfs.extend(on_kerfs.into_iter().map(|(node, kerf)| (first + node, kerf)));
             push_leads(&mut nodes, item, places);
             items.push(Item {
                 nodes: first..count(&nodes),
                 before: joined.before(item),
                 rank,
-                fixed: machine.delays_of_cut(false) + least,
+                fixed: start_seconds(machine, false, false) + least,
                 leads: Some(leads),
                 ..Item::default()
             });
@@ -137,6 +154,12 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
             ..Item::default()
         });
     }
+    let starts = if PLANS_ALL_LEVERS {
+        let exits: Vec<DVec2> = nodes.iter().map(|n| n.exit).collect();
+        Starts::new(items.iter().map(|i| i.nodes.clone()), &exits, &kerfs)
+    } else {
+        Starts::default()
+    };
     let links = chained.map_or_else(Links::default, |c| c.links(&items, &nodes));
     for item in items.iter_mut().filter(|i| i.nodes.clone().any(|n| links.touch(n))) {
         item.track = None;
@@ -153,6 +176,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
         zones,
         cooling: heat::cooling(sheet, machine),
         links,
+        starts,
     }
 }
 

@@ -4,7 +4,7 @@
 
 use super::entries::entries;
 use crate::corner::{self, ContourCorners, Corner, turned};
-use crate::geometry::{DVec2, Segment};
+use crate::geometry::{DVec2, Path, Segment};
 use crate::joint::{self, ContourJoints, Divided, Joint, divided};
 use crate::lead::{ContourLeads, Entry, Fit, Lead, Outcome, Planner, starts_moving};
 use crate::machine::{AirTime, JointKind, PLANS_ALL_LEVERS, Process, Profile, process_time};
@@ -31,6 +31,18 @@ pub(super) struct LeadNode {
     pub(super) along: f64,
     pub(super) entry: DVec2,
     pub(super) exit: DVec2,
+}
+
+/// A start without piercing.
+pub(super) struct KerfStart {
+    /// The number of the node, among those of its item, to whose place it leads.
+    pub(super) node: usize,
+    /// The cut through waste.
+    pub(super) approach: Segment,
+    /// The contour on whose kerf it begins; `None` for the edge of the sheet.
+    pub(super) kerf: Option<u32>,
+    /// Seconds of the cut through waste.
+    pub(super) seconds: f64,
 }
 
 /// The leads and joints of a sheet.
@@ -117,9 +129,51 @@ impl ItemLeads {
         (!plain && !nodes.is_empty()).then_some((Self { leads, corners, turns, outcome }, nodes, least))
     }
 
-    /// Leads that no rule asks for.
-    pub(super) fn without_rules(leads: Vec<(Lead, f64)>) -> Self {
-        Self { leads, corners: ContourCorners::default(), turns: Vec::new(), outcome: Outcome::default() }
+    /// A contour that is entered at these places without leads: its nodes, and the seconds of the cheapest.
+    pub(super) fn bare(
+        machine: &Profile,
+        process: &Process,
+        path: &Path,
+        places: &[(f64, DVec2)],
+    ) -> (Self, Vec<LeadNode>, f64) {
+        let nodes = places.iter().map(|&(along, entry)| LeadNode { along, entry, exit: entry }).collect();
+        let cut = |along: f64| process_time(machine, process, false, &path.starting_at(along).segments);
+        let seconds: Vec<f64> = places.iter().map(|&(along, _)| cut(along)).collect();
+        let least = seconds.iter().copied().fold(f64::INFINITY, f64::min);
+        let leads = seconds.into_iter().map(|s| (Lead::default(), s - least)).collect();
+        let (corners, outcome) = (ContourCorners::default(), Outcome::default());
+        (Self { leads, corners, turns: Vec::new(), outcome }, nodes, least)
+    }
+
+    /// Adds nodes for starts that are not pierced: the lead of a node, and a cut through waste in place of its piercing. Returns by how many
+    /// seconds the cheapest node is cheaper than before.
+    pub(super) fn add_starts(
+        &mut self,
+        nodes: &mut Vec<LeadNode>,
+        starts: &[KerfStart],
+        pierce_time: f64,
+    ) -> f64 {
+        for start in starts {
+            let (Some((lead, seconds)), Some(node)) = (self.leads.get(start.node), nodes.get(start.node))
+            else {
+                continue;
+            };
+            let LeadNode { along, exit, .. } = *node;
+            let seconds = seconds - pierce_time + start.seconds;
+            self.leads.push((Lead { approach: Some(start.approach), ..lead.clone() }, seconds));
+            nodes.push(LeadNode { along, entry: start.approach.start(), exit });
+            if let Some(turns) = self.turns.get(start.node).cloned() {
+                self.turns.push(turns);
+            }
+        }
+        let least = self.leads.iter().map(|l| l.1).fold(f64::INFINITY, f64::min);
+        self.leads.iter_mut().for_each(|l| l.1 -= least);
+        -least
+    }
+
+    /// The leads of the nodes.
+    pub(super) fn all(&self) -> Vec<Lead> {
+        self.leads.iter().map(|l| l.0.clone()).collect()
     }
 
     /// Whether the contour's cut begins moving: its leads have one overcut.

@@ -11,6 +11,7 @@ use super::groups::Groups;
 use super::ids::{ItemId, NodeId};
 use super::leads::ItemLeads;
 use super::links::Links;
+use super::starts::Starts;
 use super::sub_path::SubPath;
 use super::table::Table;
 use crate::corner::Corner;
@@ -191,6 +192,8 @@ pub struct Problem {
     /// Pairs of nodes with something quicker between them than an air move: chains, on a machine with `levers.chains`. Their items
     /// have no track. Where there is a link, its seconds are the cost of travel.
     pub links: Links,
+    /// The nodes that begin on kerfs, on a machine with `levers.chains.edge_starts`. Each may be used once the item of that kerf has been cut.
+    pub starts: Starts,
 }
 
 impl Problem {
@@ -202,6 +205,11 @@ impl Problem {
     /// The pieces that may tip, if moves avoid them.
     pub fn avoided(&self) -> Option<&Zones> {
         self.zones.as_deref().filter(|zones| PLANS_ALL_LEVERS && zones.avoids())
+    }
+
+    /// Whether what a move costs depends on what has been cut before it.
+    pub fn depends_on_the_past(&self) -> bool {
+        self.avoided().is_some() || self.cooling().is_some() || PLANS_ALL_LEVERS && !self.starts.is_empty()
     }
 
     /// The cuts that heat each other, if they do.

@@ -126,7 +126,10 @@ impl<'p> Sets<'p> {
                         continue;
                     }
                     let item = &self.problem.items[next as usize];
-                    for n in item.nodes.clone() {
+                    // What begins on a kerf comes after the item of that kerf.
+                    let begins =
+                        |n: &NodeId| self.problem.starts.kerf(*n).is_none_or(|kerf| done >> kerf & 1 == 1);
+                    for n in item.nodes.clone().filter(begins) {
                         let extra = item.extra(n, self.problem.nodes[n as usize].along);
                         let cost = cost + self.leg(end, Some(n)) + extra;
                         let known = &mut self.least[(done | 1 << next) * count + n as usize];

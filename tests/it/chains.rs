@@ -14,20 +14,20 @@ use kerfway::plan::{self, Leads, Move, Plan, Violation};
 use kerfway::problem::Problem;
 use kerfway::sheet::{Ignored, Sheet};
 
-fn chaining(reach: f64, clearance: f64) -> Profile {
+pub(super) fn chaining(reach: f64, clearance: f64) -> Profile {
     let levers =
         Levers { chains: Some(Chains { reach, clearance, edge_starts: false }), ..Levers::default() };
     Profile { levers, ..machine("fibre-6kw-thick") }
 }
 
 /// The same, with cuts through waste that begin on a kerf.
-fn starting(reach: f64, clearance: f64) -> Profile {
+pub(super) fn starting(reach: f64, clearance: f64) -> Profile {
     let levers = Levers { chains: Some(Chains { reach, clearance, edge_starts: true }), ..Levers::default() };
     Profile { levers, ..machine("fibre-6kw-thick") }
 }
 
 /// Squares with a side of 20 mm in columns and rows, this far apart.
-fn squares(columns: u32, rows: u32, gap: f64) -> Builder {
+pub(super) fn squares(columns: u32, rows: u32, gap: f64) -> Builder {
     let mut b = Builder::new();
     for k in 0..columns * rows {
         let at = p(f64::from(k % columns), f64::from(k / columns)) * (20.0 + gap) + p(10.0, 10.0);
@@ -36,7 +36,7 @@ fn squares(columns: u32, rows: u32, gap: f64) -> Builder {
     b
 }
 
-fn searched(b: Builder, machine: &Profile) -> (Sheet, Plan) {
+pub(super) fn searched(b: Builder, machine: &Profile) -> (Sheet, Plan) {
     let sheet = oriented(b.sheet);
     let (_, _, plan) = search_of_exact_cost(&sheet, machine, 1);
     (sheet, plan)
@@ -190,21 +190,78 @@ fn chain_seconds(
 
 /// The least seconds of all orders, all places of entry and all choices between a chain, a start on the kerf of the last contour
 /// and a piercing.
-fn brute(sheet: &Sheet, machine: &Profile, problem: &Problem, slope: f64) -> f64 {
+pub(super) fn brute(sheet: &Sheet, machine: &Profile, problem: &Problem, slope: f64) -> f64 {
     let pierce = machine.pierce_time + machine.beam_on_delay + machine.beam_off_delay;
     brute_with(sheet, machine, problem, slope, pierce)
+}
+
+/// A cut through waste from a kerf or the edge of the sheet to a node: the contour of the kerf, the place, and its seconds.
+type OnKerf = (Option<u32>, DVec2, f64);
+
+/// What a search through all orders needs.
+struct Brute<'p> {
+    problem: &'p Problem,
+    air: AirTime,
+    /// Seconds of the way from a node to another one, with a piercing if there is one.
+    leg: Vec<Vec<f64>>,
+    /// By node: the cuts to it that begin on kerfs.
+    on_kerfs: Vec<Vec<OnKerf>>,
+    /// Nodes at which contours are pierced.
+    pierced: Vec<usize>,
+    pierce: f64,
+    delays: f64,
+}
+
+impl Brute<'_> {
+    fn go(&self, left: u32, last: Option<usize>, so_far: f64, best: &mut f64) {
+        let Self { problem, air, .. } = self;
+        if so_far >= *best {
+            return;
+        }
+        let head = last.map_or(problem.home, |n| problem.nodes[n].exit);
+        if left == 0 {
+            *best = best.min(so_far + air.seconds(head, problem.home));
+            return;
+        }
+        // What lies in a contour comes first.
+        let waits =
+            |k: u32| problem.items.iter().zip(0..).any(|(i, n)| left >> n & 1 == 1 && i.before == Some(k));
+        for &n in &self.pierced {
+            let node = &problem.nodes[n];
+            let item = &problem.items[node.item as usize];
+            if left >> node.item & 1 == 0 || waits(node.item) {
+                continue;
+            }
+            let mut way =
+                last.map_or_else(|| air.seconds(head, node.entry) + self.pierce, |last| self.leg[last][n]);
+            for &(kerf, place, seconds) in &self.on_kerfs[n] {
+                if kerf.is_none_or(|kerf| left >> kerf & 1 == 0) {
+                    way = way.min(air.seconds(head, place) + self.delays + seconds);
+                }
+            }
+            let id = u32::try_from(n).unwrap();
+            // The seconds of an item contain its piercing.
+            let cut = item.fixed + item.extra(id, node.along) - self.pierce;
+            self.go(left & !(1 << node.item), Some(n), so_far + way + cut, best);
+        }
+    }
 }
 
 /// The same, where the beginning of a cut takes `pierce` seconds unless it is joined.
 fn brute_with(sheet: &Sheet, machine: &Profile, problem: &Problem, slope: f64, pierce: f64) -> f64 {
     let air = AirTime::new(machine);
     let nodes = &problem.nodes;
+    let approach = |n: usize| {
+        let item = &problem.items[nodes[n].item as usize];
+        item.lead(u32::try_from(n).unwrap()).and_then(|lead| lead.0.approach)
+    };
+    let pierced: Vec<usize> = (0..nodes.len()).filter(|&n| approach(n).is_none()).collect();
     // Every cut through waste from a place on a contour to a node of another one: from its nodes, and from where it is nearest.
     let edges = machine.levers.chains.is_some_and(|chains| chains.edge_starts);
     let mut cuts: Vec<(u32, DVec2, usize, f64)> = Vec::new();
     for (id, contour) in (0..).zip(&sheet.contours) {
-        let own = nodes.iter().filter(|n| n.item == id).map(|n| n.exit);
-        for (k, to) in nodes.iter().enumerate().filter(|(_, to)| to.item != id) {
+        let own = pierced.iter().map(|&n| &nodes[n]).filter(|n| n.item == id).map(|n| n.exit);
+        for (k, to) in pierced.iter().map(|&n| (n, &nodes[n])).filter(|(_, to)| to.item != id) {
             let near = contour.path.segments.iter().map(|s| (s.nearest(to.entry), s));
             let near = near.min_by(|a, b| a.0.1.total_cmp(&b.0.1)).map(|((t, _), s)| s.at(t));
             for place in own.clone().chain(near.filter(|_| edges)) {
@@ -213,57 +270,41 @@ fn brute_with(sheet: &Sheet, machine: &Profile, problem: &Problem, slope: f64, p
             }
         }
     }
-    let leg: Vec<Vec<f64>> = nodes
-        .iter()
-        .map(|from| {
-            let mut prices: Vec<f64> =
-                nodes.iter().map(|to| air.seconds(from.exit, to.entry) + pierce).collect();
-            for &(_, place, to, seconds) in cuts.iter().filter(|c| c.0 == from.item) {
-                let price = if place == from.exit {
-                    seconds
-                } else if edges {
-                    air.seconds(from.exit, place) + pierce - machine.pierce_time + seconds
-                } else {
-                    continue;
-                };
-                prices[to] = prices[to].min(price);
-            }
-            prices
-        })
-        .collect();
-    fn go(
-        problem: &Problem,
-        leg: &[Vec<f64>],
-        (air, pierce): (&AirTime, f64),
-        left: u32,
-        last: Option<usize>,
-        so_far: f64,
-        best: &mut f64,
-    ) {
-        if so_far >= *best {
-            return;
+    let delays = pierce - machine.pierce_time;
+    let leg = |from: &kerfway::problem::Node| {
+        let mut prices: Vec<f64> = nodes.iter().map(|to| air.seconds(from.exit, to.entry) + pierce).collect();
+        for &(_, place, to, seconds) in cuts.iter().filter(|c| c.0 == from.item) {
+            let price = if place == from.exit {
+                seconds
+            } else if edges {
+                air.seconds(from.exit, place) + delays + seconds
+            } else {
+                continue;
+            };
+            prices[to] = prices[to].min(price);
         }
-        if left == 0 {
-            let head = problem.nodes[last.unwrap()].exit;
-            *best = best.min(so_far + air.seconds(head, problem.home));
-            return;
-        }
-        for (k, item) in problem.items.iter().enumerate().filter(|(k, _)| left >> k & 1 == 1) {
-            for n in item.nodes.clone() {
-                let node = &problem.nodes[n as usize];
-                let way = last.map_or_else(
-                    || air.seconds(problem.home, node.entry) + pierce,
-                    |last| leg[last][n as usize],
-                );
-                let seconds = so_far + way + item.extra(n, node.along);
-                go(problem, leg, (air, pierce), left & !(1 << k), Some(n as usize), seconds, best);
-            }
-        }
+        prices
+    };
+    let on = |place: DVec2| {
+        let is_on = |c: &kerfway::sheet::Contour| c.path.segments.iter().any(|s| s.nearest(place).1 < 1e-16);
+        (0..).zip(&sheet.contours).find(|(_, c)| is_on(c)).map(|c| c.0)
+    };
+    let mut on_kerfs: Vec<Vec<OnKerf>> = vec![Vec::new(); nodes.len()];
+    for (n, cut) in (0..nodes.len()).filter_map(|n| Some((n, approach(n)?))) {
+        let (kerf, to) = (on(cut.start()), cut.end());
+        let own = [kerf.unwrap_or(nodes[n].item), nodes[n].item];
+        let seconds = match kerf {
+            Some(_) => chain_seconds(sheet, machine, own, cut.start(), to, slope),
+            None => Some(cut_time(machine, &machine.cut, &[cut])),
+        };
+        let alike = pierced.iter().filter(|&&k| nodes[k].item == nodes[n].item && nodes[k].entry == to);
+        alike.for_each(|&k| on_kerfs[k].extend(seconds.map(|s| (kerf, cut.start(), s))));
     }
+    let leg = nodes.iter().map(leg).collect();
+    let brute = Brute { problem, air, leg, on_kerfs, pierced, pierce, delays };
     let mut best = f64::INFINITY;
-    go(problem, &leg, (&air, pierce), (1 << problem.items.len()) - 1, None, 0.0, &mut best);
-    // The seconds of an item contain its piercing.
-    best + problem.items.iter().map(|i| i.fixed - pierce).sum::<f64>()
+    brute.go((1 << problem.items.len()) - 1, None, 0.0, &mut best);
+    best
 }
 
 #[test]
@@ -292,38 +333,6 @@ fn the_search_chooses_as_well_as_every_order_entry_and_chain() {
         joined += plan.summary.chains;
     }
     assert!(joined > 18, "{joined}");
-}
-
-#[test]
-fn the_search_chooses_as_well_as_every_start_on_a_kerf() {
-    let (mut joined, mut on_kerfs) = (0, 0);
-    for seed in 0..8_u64 {
-        let mut dice = Dice::new(50 + seed);
-        let mut b = Builder::new();
-        for k in 0..4 {
-            let at = p(10.0 + 27.0 * f64::from(k), 10.0 + dice.between(0.0, 6.0));
-            if dice.below(3) == 0 {
-                b.cut(circle(at + p(10.0, 10.0), dice.between(7.0, 9.0)), None);
-            } else {
-                b.cut(rectangle(at, p(dice.between(14.0, 20.0), dice.between(10.0, 20.0))), None);
-            }
-        }
-        let machine = starting(25.0, dice.between(0.2, 2.0));
-        let sheet = oriented(b.sheet);
-        let (problem, exact, plan) = search_of_exact_cost(&sheet, &machine, seed);
-        let least = brute(&sheet, &machine, &problem, 0.25);
-        let most = brute(&sheet, &machine, &problem, 0.375);
-        // Contours that are not joined to others are entered anywhere by the search, and at their nodes here.
-        let at_nodes = exact + problem.items.iter().map(|i| i.fixed).sum::<f64>();
-        assert!(
-            least <= at_nodes + 1e-6 && at_nodes <= most + 1e-6,
-            "seed {seed}: {least} {at_nodes} {most}"
-        );
-        assert!(plan.summary.total_time <= at_nodes + 1e-6, "seed {seed}");
-        joined += plan.summary.chains;
-        on_kerfs += plan.summary.edge_starts;
-    }
-    assert!(joined > 16 && on_kerfs > 4, "{joined} {on_kerfs}");
 }
 
 #[test]
@@ -425,7 +434,7 @@ fn after(checked: &Profile, change: impl FnOnce(&mut Vec<Move>)) -> Vec<Violatio
     plan::check(&sheet, checked, &plan).err().unwrap_or_default()
 }
 
-fn says(found: &[Violation], wanted: &str) -> bool {
+pub(super) fn says(found: &[Violation], wanted: &str) -> bool {
     let said = |v: &Violation| match v {
         Violation::Chain { what, .. } | Violation::Beam { what, .. } => *what == wanted,
         _ => false,
@@ -469,45 +478,6 @@ fn the_checker_finds_wrong_chains() {
         path[0] = Segment::line(path[0].start() + p(0.1, 0.0), path[0].end());
     });
     assert!(found.iter().any(|v| matches!(v, Violation::NotJoined { .. })), "{found:?}");
-}
-
-#[test]
-fn the_checker_finds_wrong_starts_on_kerfs() {
-    let machine = starting(30.0, 1.0);
-    let (sheet, plan) = searched(squares(4, 1, 8.0), &machine);
-    let start = |moves: &[Move]| {
-        let is = |w: &[Move]| matches!(w, [Move::Air { .. }, Move::Chain { .. }]);
-        moves.windows(2).position(is).unwrap()
-    };
-    let after = |checked: &Profile, change: &dyn Fn(&mut Vec<Move>)| {
-        let mut plan = plan.clone();
-        change(&mut plan.moves);
-        let parts = plan.summary.parts;
-        plan.summary = plan::evaluate(&plan.moves, &sheet, checked);
-        plan.summary.parts = parts;
-        plan::check(&sheet, checked, &plan).err().unwrap_or_default()
-    };
-    assert!(after(&machine, &|_| ()).is_empty());
-    assert!(says(&after(&chaining(30.0, 1.0), &|_| ()), "begins on a kerf, which the machine does not"));
-    // A millimetre beside the kerf.
-    let found = after(&machine, &|moves| {
-        let at = start(moves);
-        let Move::Chain { path } = &mut moves[at + 1] else { panic!() };
-        let from = path[0].at(0.125);
-        path[0] = Segment::line(from, path[0].end());
-        moves[at] = Move::air(from);
-    });
-    assert!(says(&found, "does not begin on the kerf of the contour before it"), "{found:?}");
-    // Pierced before it.
-    let found = after(&machine, &|moves| moves.insert(start(moves) + 1, Move::Pierce));
-    assert!(says(&found, "cuts through waste without a cut before it"), "{found:?}");
-    // Before anything is cut.
-    let found = after(&machine, &|moves| {
-        let at = start(moves);
-        let two: Vec<Move> = moves.drain(at..at + 2).collect();
-        moves.splice(0..0, two);
-    });
-    assert!(says(&found, "does not join two cuts"), "{found:?}");
 }
 
 /// A plan by hand: two contours joined from one place to another.

@@ -81,6 +81,7 @@ fn scattered(dice: &mut Dice, k: u64) -> Problem {
         zones: None,
         cooling: None,
         links: Links::default(),
+        starts: kerfway::problem::Starts::default(),
     }
 }
 
@@ -251,6 +252,7 @@ fn qu_and_du(name: &str, closed: bool, boundary: bool) -> Problem {
         zones: None,
         cooling: None,
         links: Links::default(),
+        starts: kerfway::problem::Starts::default(),
     }
 }
 

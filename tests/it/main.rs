@@ -38,6 +38,7 @@ mod instance_solve;
 mod joints;
 mod kerf;
 mod kerf_drawings;
+mod kerf_starts;
 mod layering;
 mod layers_written;
 mod leads;

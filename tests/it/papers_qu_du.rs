@@ -127,6 +127,7 @@ fn points(closed: bool) -> Problem {
         zones: None,
         cooling: None,
         links: Links::default(),
+        starts: problem::Starts::default(),
     }
 }
 

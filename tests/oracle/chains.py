@@ -8,8 +8,8 @@ faults found. `tests/it/levers_replay.rs` then checks that Kerfway still makes t
 
 * it lies in no part, less 5 micrometres (parts: outlines without their holes);
 * it keeps the clearance from every cut but the two that it joins (less the error of the chords, 2 micrometres);
-* it is no longer than the reach, begins where the cut before it ends, on the kerf of that cut, or, at the edge of the sheet, outside of all cuts, and
-  ends where the next one begins.
+* it is no longer than the reach, begins where the cut before it ends, on the kerf of a contour that was cut earlier, or, at the edge of the sheet, outside
+  of all cuts, and ends where the next one begins.
 
 Needs `pip install shapely`.
 """
@@ -32,7 +32,7 @@ def replay(plan):
     tree = shapely.STRtree([beams[k] for k in ids])
     everything = shapely.box(*shapely.union_all([beams[k] for k in ids]).bounds)
     faults, count, edges = [], 0, 0
-    at, before, after_cut = tuple(plan["machine"]["home"]), None, False
+    at, before, after_cut, done = tuple(plan["machine"]["home"]), None, False, []
     for index, move in enumerate(plan["moves"]):
         if move["kind"] == "chain":
             chain = elements(at, move["path"], CHORD)
@@ -43,23 +43,25 @@ def replay(plan):
             if len(chain) != 1 or chain[0].center or shape.length > lever["reach"] + SAME:
                 say("is not straight, or too long")
             from_edge = not after_cut and not everything.covers(shapely.Point(start))
-            if follows["kind"] != "cut" or (not from_edge and (before is None or follows["contour"] == before)):
+            kerfs = [k for k in done if k != follows.get("contour") and beams[k].distance(shapely.Point(start)) <= SAME]
+            begins = before if after_cut else next(iter(kerfs), None)
+            if follows["kind"] != "cut" or (not from_edge and (begins is None or follows["contour"] == begins)):
                 say("does not join two cuts")
                 continue
             if math.dist(end, elements(end, follows["path"], CHORD)[0].start) > SAME:
                 say("does not end where the next cut begins")
-            on_kerf = before is not None and beams[before].distance(shapely.Point(start)) <= SAME
-            if not after_cut and (not lever.get("edge_starts") or not (on_kerf or from_edge)):
-                say("does not begin on the kerf of the cut before it")
+            if not after_cut and not lever.get("edge_starts"):
+                say("begins on a kerf, which the machine does not")
             for j in part_tree.query(shape):
                 if shape.intersection(parts[j]).length > 0:
                     say("cuts into a part")
             for j in tree.query(shape.buffer(lever["clearance"])):
-                if ids[j] not in (before, follows["contour"]) and shape.distance(beams[ids[j]]) < lever["clearance"] - SAME:
+                if ids[j] not in (begins, follows["contour"]) and shape.distance(beams[ids[j]]) < lever["clearance"] - SAME:
                     say(f"is {shape.distance(beams[ids[j]]):.4f} mm from contour {ids[j]}")
             at = end
         if move["kind"] == "cut":
             at, before = elements(at, move["path"], CHORD)[-1].end, move["contour"]
+            done.append(before)
         if move["kind"] in ("air", "pre-cut"):
             at = tuple(move["to"])
         after_cut = move["kind"] == "cut"

@@ -34,7 +34,7 @@ pub fn search_of_exact_cost(sheet: &Sheet, machine: &Profile, seed: u64) -> (Pro
     let problem = problem_of(sheet, machine);
     let least = solve::exact(&problem).unwrap().cost;
     let plan = {
-        let mut search = solve::methods()[0].start(&problem, seed, None);
+        let mut search = solve::start(solve::methods()[0], &problem, seed, None);
         search.step(50_000);
         let found = search.best();
         assert!(found.cost <= least + 1e-9, "seed {seed}: {} s, not {least} s", found.cost);

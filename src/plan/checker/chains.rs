@@ -2,8 +2,9 @@
 //!
 //! A chain is followed in small steps. A place on it is in waste if an even number of outlines is around it. It is as far from
 //! every contour as the machine says; from the two that the chain joins it may be as near as a quarter of the way to its end,
-//! so that the chain does not run along them. Where the machine has edge starts, it may begin on the kerf of the contour that was cut last, or at the edge of the sheet.
+//! so that the chain does not run along them. Where the machine has edge starts, it may begin on a kerf that was cut before, or at the edge of the sheet.
 
+use super::kerfs::Kerfs;
 use super::tolerance::SAME;
 use super::violation::Violation;
 use super::waste::{JOINT, Near, Waste};
@@ -27,50 +28,57 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         machine,
         lever,
     });
+    let kerfs = Kerfs::new(plan, |_| true);
     for (step, m) in plan.moves.iter().enumerate() {
         let Move::Chain { path } = m else { continue };
-        let before = plan.moves.get(..step).unwrap_or_default();
+        let before = step.checked_sub(1).and_then(|k| plan.moves.get(k));
         let mut fault = |what, at| found.push(Violation::Chain { step, what, at });
         let at = path.first().map_or(DVec2::ZERO, Segment::start);
         let Some(room) = &room else {
             fault("is one that the machine does not cut", at);
             continue;
         };
-        let (last, edge) = match before {
-            [Move::Air { .. }] => (None, true),
-            [.., last, Move::Air { .. }] => (Some(last), true),
-            [.., last] => (Some(last), false),
-            [] => (None, false),
+        let Some(Move::Cut { contour, .. }) = plan.moves.get(step + 1) else {
+            fault("does not join two cuts", at);
+            continue;
         };
-        if let (Some(edge), Some(Move::Cut { contour, .. })) =
-            (edge_of(sheet).filter(|_| edge && room.lever.edge_starts), plan.moves.get(step + 1))
-            && edge.iter().any(|s| s.nearest(at).1.sqrt() <= SAME)
-        {
+        if let Some(Move::Cut { contour: last, .. }) = before {
+            if let Some((what, at)) = room.fault([*last, *contour], path, at) {
+                fault(what, at);
+            }
+            continue;
+        }
+        if !room.lever.edge_starts {
+            fault("begins on a kerf, which the machine does not", at);
+        }
+        if edge_of(sheet).is_some_and(|edge| edge.iter().any(|s| s.nearest(at).1.sqrt() <= SAME)) {
             if let Some((what, at)) = room.fault_from_edge(*contour, path, at) {
                 fault(what, at);
             }
             continue;
         }
-        let (Some(Move::Cut { contour: a, .. }), Some(Move::Cut { contour: b, .. })) =
-            (last, plan.moves.get(step + 1))
-        else {
-            fault("does not join two cuts", at);
+        let all = kerfs.at(at);
+        let cut: Vec<u32> = all.iter().filter(|k| k.0 < step).map(|k| k.1).collect();
+        let Some(&first) = cut.first() else {
+            let what = if all.is_empty() {
+                "does not begin on a kerf"
+            } else {
+                "begins on a kerf that is cut later"
+            };
+            fault(what, at);
             continue;
         };
-        if edge && !room.lever.edge_starts {
-            fault("begins on a kerf, which the machine does not", at);
-        }
-        if edge && !room.is_on(*a, at) {
-            fault("does not begin on the kerf of the contour before it", at);
-        }
-        if let Some((what, at)) = room.fault([*a, *b], path, at) {
+        // Where kerfs meet, it begins on any of them.
+        if let Some((what, at)) = room.fault([first, *contour], path, at)
+            && cut.iter().all(|&a| room.fault([a, *contour], path, at).is_some())
+        {
             fault(what, at);
         }
     }
 }
 
 /// The edge of the sheet: the smallest outline that is drawn around everything and not cut.
-fn edge_of(sheet: &Sheet) -> Option<&[Segment]> {
+pub(super) fn edge_of(sheet: &Sheet) -> Option<&[Segment]> {
     let worked = sheet.contours.iter().filter(|c| c.is_processed() && !c.skeleton);
     let all = worked.fold(Aabb::EMPTY, |all, c| all.union(c.path.bounds()));
     let around = sheet.ignored.iter().map(|i| &i.path).filter(|p| p.closed && p.bounds().contains_box(&all));
@@ -144,11 +152,5 @@ impl Room<'_> {
                 what.map(|what| (what, p))
             },
         )
-    }
-
-    /// Whether a place is on the path of a closed contour.
-    fn is_on(&self, contour: u32, at: DVec2) -> bool {
-        let known = self.sheet.contours.get(contour as usize).filter(|c| c.path.closed);
-        known.is_some_and(|c| c.path.segments.iter().any(|s| s.nearest(at).1.sqrt() <= SAME))
     }
 }

@@ -14,6 +14,7 @@ mod heat;
 mod joint_room;
 mod joints;
 mod kerf;
+mod kerfs;
 mod lead_room;
 mod leads;
 mod macros;
@@ -22,6 +23,7 @@ mod nesting;
 mod order;
 mod passes;
 mod skeleton;
+mod skeleton_starts;
 mod sums;
 mod tips;
 mod tolerance;
@@ -37,6 +39,7 @@ use crate::machine::Profile;
 use crate::sheet::{Operation, Sheet};
 use fly::Flown;
 use groups::Groups;
+use skeleton_starts::SkeletonStarts;
 use tolerance::{JOIN, SAME};
 use visits::Visits;
 
@@ -53,9 +56,11 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     let mut visits = Visits::new(sheet, machine);
     let mut groups = Groups::new(sheet, machine, plan);
     let mut flown = Flown::new(sheet, plan);
-    follow(&mut visits, &mut groups, &mut flown, sheet, machine, plan, &mut found);
+    let starts = SkeletonStarts::new(sheet, machine, plan);
+    follow(&mut visits, &mut groups, (&mut flown, &starts), sheet, machine, plan, &mut found);
     pre_cuts(machine, plan, &mut found);
-    visits.finish(|contour| groups.holds(contour) || flown.holds(contour), &mut found);
+    visits.finish(|c| groups.holds(c) || flown.holds(c) || starts.hold(c), &mut found);
+    starts.finish(sheet, plan, &mut found);
     flown.finish(sheet, machine, plan, &mut found);
     groups.finish(|c| visits.ends(c), &mut found);
     order::check(sheet, machine, &visits, &groups, &mut found);
@@ -92,7 +97,7 @@ fn pre_cuts(machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
 fn follow(
     visits: &mut Visits,
     groups: &mut Groups,
-    flown: &mut Flown,
+    (flown, starts): (&mut Flown, &SkeletonStarts),
     sheet: &Sheet,
     machine: &Profile,
     plan: &Plan,
@@ -240,6 +245,7 @@ fn follow(
                 }
                 let resumed = !grouped
                     && !flown.holds(*contour)
+                    && !starts.hold(*contour)
                     && after_joint.is_none()
                     && visits.is_unfinished(*contour);
                 if *mark && pierced {
@@ -250,7 +256,7 @@ fn follow(
                 }
                 let over_joint = after_joint.is_some_and(|(_, flying)| flying);
                 let on = pierced || over_joint || runs_on || chained;
-                let ready = *mark || on || (resumed && visits.is_ready(*contour));
+                let ready = *mark || on || starts.allow(step) || (resumed && visits.is_ready(*contour));
                 let goes_on = before.is_some_and(|b| groups.same(b, *contour));
                 let begun = pierced || goes_on;
                 if !grouped && !ready {
@@ -272,6 +278,8 @@ fn follow(
                 }
                 if flown.holds(*contour) {
                     flown.cut(step, *contour, path, leads);
+                    visits.note(step, *contour);
+                } else if starts.hold(*contour) {
                     visits.note(step, *contour);
                 } else if grouped {
                     let contours: Vec<u32> = std::iter::once(*contour).chain(with.iter().copied()).collect();

@@ -20,7 +20,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     let (mut cuts, mut pierces, mut pre_cuts, mut macros) = (0u32, 0u32, 0u32, 0u32);
     let (mut moving_starts, mut lifts, mut fly_cuts) = (0u32, 0u32, 0u32);
     let (mut detours, mut crossings) = (0u32, 0u32);
-    let (mut chains, mut edge_starts, mut chain_length, mut process) = (0u32, 0u32, 0.0, machine.cut);
+    let (mut chains, mut edge_starts, mut chain_length) = (0u32, 0u32, 0.0);
     let mut worked: Vec<u32> = Vec::new();
     let (mut air_length, mut air_seconds, mut cut_length, mut cut_seconds) = (0.0, 0.0, 0.0, 0.0);
     let mut lead_length = 0.0;
@@ -60,7 +60,11 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                 edge_starts += u32::from(step > 0 && !matches!(plan.moves[step - 1], Move::Cut { .. }));
                 chain_length += length;
                 cut_length += length;
-                // From rest to rest, with the speed and acceleration of the cut before it.
+                // From rest to rest, with the speed and acceleration of the cut that follows.
+                let process = match plan.moves.get(step + 1) {
+                    Some(Move::Cut { contour, .. }) => sheet.process_by_id(*contour, machine),
+                    _ => machine.cut,
+                };
                 let (v, a) = (process.speed, process.accel.unwrap_or(f64::INFINITY));
                 cut_seconds += path.iter().map(|s| trapezoid(s.end().distance(s.start()), v, a)).sum::<f64>();
                 // It may begin at the edge of the sheet, beyond all contours.
@@ -88,7 +92,6 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                 // After a chain the beam is on, unless that began on a kerf.
                 let chained =
                     step > 1 && matches!(plan.moves[step - 2..step], [Move::Cut { .. }, Move::Chain { .. }]);
-                process = sheet.process_by_id(*contour, machine);
                 cuts += u32::from(!flies_on && !chained);
                 worked.push(*contour);
                 worked.extend(with);

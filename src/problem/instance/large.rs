@@ -14,7 +14,7 @@ use super::file::File;
 use super::model::Instance;
 use super::sets::Sets;
 use crate::machine;
-use crate::problem::{Groups, Item, Links, Node, NodeId, Problem};
+use crate::problem::{Groups, Item, Links, Node, NodeId, Problem, Starts};
 use glam::DVec2;
 
 /// A large instance. The nodes of the start are the last of its numbers and no nodes of the problem.
@@ -56,6 +56,7 @@ pub(super) fn instance(file: &File, nodes: usize, mut sets: Sets) -> Result<Inst
             zones: None,
             cooling: None,
             links: Links::default(),
+            starts: Starts::default(),
         },
         numbers: order.iter().map(|&n| id(n) + 1).collect(),
         fixed: Vec::new(),

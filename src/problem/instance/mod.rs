@@ -32,6 +32,7 @@ use super::groups::Groups;
 use super::ids::NodeId;
 use super::links::Links;
 use super::model::{Item, Node, Problem};
+use super::starts::Starts;
 use super::table::Table;
 use crate::machine;
 use file::File;
@@ -91,6 +92,7 @@ pub fn instance(bytes: &[u8]) -> Result<Instance, InstanceError> {
         zones: None,
         cooling: None,
         links: Links::default(),
+        starts: Starts::default(),
     };
     Ok(Instance { name: file.name(), problem, numbers, fixed, lowered, whole, plane: None })
 }

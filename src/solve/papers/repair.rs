@@ -127,7 +127,7 @@ pub(super) fn ranks(problem: &Problem) -> Vec<u32> {
 mod tests {
     use super::*;
     use crate::machine;
-    use crate::problem::{Groups, Item, Links};
+    use crate::problem::{Groups, Item, Links, Starts};
     use glam::DVec2;
 
     fn problem(before: &[Option<u32>], ranks: &[u32], groups: Groups) -> Problem {
@@ -147,6 +147,7 @@ mod tests {
             zones: None,
             cooling: None,
             links: Links::default(),
+            starts: Starts::default(),
         }
     }
 

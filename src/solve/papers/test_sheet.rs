@@ -2,7 +2,7 @@
 
 use crate::geometry::DVec2;
 use crate::machine;
-use crate::problem::{Groups, Item, Links, Node, NodeId, Problem};
+use crate::problem::{Groups, Item, Links, Node, NodeId, Problem, Starts};
 
 /// Closed contours with these corners as nodes, on the preset machine of that name. The head starts at (0, 0) and returns
 /// there. `leave` is the cost of leaving a contour unfinished, in seconds; `None` forbids it.
@@ -32,5 +32,6 @@ pub(super) fn sheet(contours: &[&[[f64; 2]]], leave: Option<f64>, machine: &str)
         zones: None,
         cooling: None,
         links: Links::default(),
+        starts: Starts::default(),
     }
 }

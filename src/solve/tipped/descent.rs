@@ -1,6 +1,6 @@
 //! Local search on the exact seconds of a sequence, where moves are in the way of tipped pieces or cuts heat each other.
 //!
-//! A queue holds the legs to be looked at: those that take longer than a straight move, and all where cuts heat each other. For each, other entries at its ends are
+//! A queue holds the legs to be looked at: those that take longer than a straight move or than a start on a kerf that is not cut yet, and all where cuts heat each other. For each, other entries at its ends are
 //! tried, and other orders nearby: what blocks it is cut later, a stop or two go elsewhere, a stretch is reversed, two stretches
 //! are exchanged. When the queue is empty, a kick near such a leg exchanges two short stretches; the search repairs what it
 //! can, and the result stays if it is no worse.
@@ -265,6 +265,17 @@ impl<'p> Descent<'p> {
                     if self.make(change, EPSILON) {
                         return true;
                     }
+                }
+            }
+        }
+        // What it might begin on is cut earlier, or it comes later.
+        for later in self.sequence.later_kerfs(k) {
+            for stretch in 1..=3 {
+                let visits = self.sequence.visits();
+                let earlier = Change::exchange(visits, k, (later + 1).saturating_sub(stretch), later + 1);
+                let put_off = Change::exchange(visits, (k + 1).saturating_sub(stretch), k + 1, later + 1);
+                if self.make(earlier, EPSILON) || self.make(put_off, EPSILON) {
+                    return true;
                 }
             }
         }

@@ -1,37 +1,43 @@
 //! The exact optimum of small problems over their nodes: dynamic programming over sets of items (Held & Karp, 1962).
 //!
 //! What a leg costs depends on the set of items that have been cut before it, and not on their order, so the states are the
-//! same as without tipped pieces.
+//! same as without tipped pieces. So it is with the kerfs on which a node may begin.
 
+use super::begin::{Head, travel};
 use crate::geometry::DVec2;
+use crate::machine::AirTime;
 use crate::problem::{Item, ItemId, NodeId, Problem};
 use crate::solve::traits::Stop;
 use crate::tipping::{Piece, Zones};
 
 /// Most items. Each doubles the work: with 16 entries each, six take about 300,000 legs, a few tenths of a second.
 const MOST_ITEMS: usize = 6;
-/// Most nodes, for the same reason.
+/// Most nodes, for the same reason. A leg that nothing is in the way of is quickly priced.
 const MOST_NODES: usize = 120;
+const MOST_NODES_WITHOUT_ZONES: usize = 300;
 
 /// The best order of all items and the best node of each, with the number of moves priced; `None` for larger problems.
-pub(super) fn optimum(problem: &Problem, zones: &Zones) -> Option<(Vec<Stop>, u64)> {
+pub(super) fn optimum(problem: &Problem) -> Option<(Vec<Stop>, u64)> {
+    let zones = problem.avoided();
+    let most = if zones.is_some() { MOST_NODES } else { MOST_NODES_WITHOUT_ZONES };
     let items: Vec<ItemId> =
         (0..).zip(&problem.items).filter(|(_, i)| !i.nodes.is_empty()).map(|(id, _)| id).collect();
     if items.is_empty()
         || items.len() > MOST_ITEMS
-        || problem.nodes.len() > MOST_NODES
+        || problem.nodes.len() > most
         || problem.items.iter().any(Item::may_be_left)
         || !problem.groups.is_empty()
     {
         return None;
     }
-    Sets { problem, zones, items }.solve()
+    Sets { problem, zones, items, air: AirTime::new(&problem.machine) }.solve()
 }
 
 struct Sets<'p> {
     problem: &'p Problem,
-    zones: &'p Zones,
+    zones: Option<&'p Zones>,
     items: Vec<ItemId>,
+    air: AirTime,
 }
 
 /// The least seconds to a state, and the node before it.
@@ -55,9 +61,24 @@ impl Sets<'_> {
         Some(set)
     }
 
-    fn leg(&self, from: DVec2, to: DVec2, cut: usize) -> f64 {
-        let is_cut = |c: &u32| self.items.iter().position(|i| i == c).is_some_and(|k| cut >> k & 1 == 1);
-        self.zones.leg(from, to, |piece: &Piece| piece.cut_by.iter().all(is_cut)).seconds
+    /// Whether an item is in a set.
+    fn is_cut(&self, item: ItemId, cut: usize) -> bool {
+        self.items.iter().position(|&i| i == item).is_some_and(|k| cut >> k & 1 == 1)
+    }
+
+    /// Seconds of the leg to a node, or home.
+    fn leg(&self, head: Head, to: Option<NodeId>, entry: DVec2, cut: usize) -> f64 {
+        let is_free = |piece: &Piece| piece.cut_by.iter().all(|&c| self.is_cut(c, cut));
+        match (self.zones, to) {
+            (Some(zones), _) => zones.leg(head.at, entry, is_free).seconds,
+            (None, Some(node)) => travel(self.problem, &self.air, head, node, entry),
+            (None, None) => self.air.seconds(head.at, entry),
+        }
+    }
+
+    /// No leg takes less than this, s.
+    fn least(&self, from: DVec2, to: DVec2) -> f64 {
+        self.zones.map_or(f64::NEG_INFINITY, |zones| zones.least(from, to))
     }
 
     fn solve(&self) -> Option<(Vec<Stop>, u64)> {
@@ -73,20 +94,25 @@ impl Sets<'_> {
                     continue;
                 }
                 let item = problem.items.get(id as usize)?;
-                for node in item.nodes.clone() {
+                let begins = |n: &NodeId| problem.starts.kerf(*n).is_none_or(|kerf| self.is_cut(kerf, set));
+                for node in item.nodes.clone().filter(begins) {
                     let known = problem.nodes.get(node as usize)?;
                     let extra = item.extra(node, known.along);
                     let mut found = Best { seconds: f64::INFINITY, before: None };
                     if set == 0 {
-                        found.seconds = extra + self.leg(problem.home, known.entry, set);
+                        found.seconds = extra
+                            + self.leg(Head { at: problem.home, left: None }, Some(node), known.entry, set);
                         priced += 1;
                     }
                     for before in self.items.iter().enumerate().filter(|(b, _)| set >> b & 1 == 1) {
                         for last in problem.items.get(*before.1 as usize)?.nodes.clone() {
                             let so_far = best.get(state(set, last))?.seconds;
                             let from = problem.nodes.get(last as usize)?.exit;
-                            if so_far + extra + self.zones.least(from, known.entry) < found.seconds {
-                                let seconds = so_far + extra + self.leg(from, known.entry, set);
+                            if so_far < f64::INFINITY
+                                && so_far + extra + self.least(from, known.entry) < found.seconds
+                            {
+                                let head = Head { at: from, left: Some(last) };
+                                let seconds = so_far + extra + self.leg(head, Some(node), known.entry, set);
                                 priced += 1;
                                 if seconds < found.seconds {
                                     found = Best { seconds, before: Some(last) };
@@ -103,7 +129,8 @@ impl Sets<'_> {
             self.items.iter().filter_map(|&i| problem.items.get(i as usize)).flat_map(|i| i.nodes.clone())
         {
             let exit = problem.nodes.get(node as usize)?.exit;
-            let home = if problem.closed { self.leg(exit, problem.home, all) } else { 0.0 };
+            let head = Head { at: exit, left: Some(node) };
+            let home = if problem.closed { self.leg(head, None, problem.home, all) } else { 0.0 };
             let seconds = best.get(state(all, node))?.seconds + home;
             if seconds < last.map_or(f64::INFINITY, |l| l.0) {
                 last = Some((seconds, node));

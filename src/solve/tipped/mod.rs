@@ -1,18 +1,22 @@
-//! A search that knows which pieces may have tipped (`Problem::zones`), and which cuts are still hot (`Problem::cooling`).
+//! A search that knows which pieces may have tipped (`Problem::zones`), which cuts are still hot (`Problem::cooling`), and which kerfs a cut can
+//! begin on (`Problem::starts`).
 //!
 //! What a move costs depends on what has been cut before it, which a method that prices moves by their ends cannot see. So two
-//! searches take turns: the method itself, for which every move is straight with the head down and nothing is hot (that is never more
+//! searches take turns: the method itself, for which every move is straight with the head down, nothing is hot, and every kerf is cut (that is never more
 //! than the real cost), and a local search on the exact seconds of the whole sequence (`descent.rs`), which
-//! begins where the method's best is and changes order, entries and directions where a move is in the way of a tipped piece or a cut
-//! has to wait. Where cuts heat each other, it begins as well at a path that always goes to where it can go on soonest (`soonest`).
+//! begins where the method's best is and changes order, entries and directions where a move is in the way of a tipped piece, a cut
+//! has to wait, or the kerf it would begin on is cut later. Where cuts begin on kerfs, the method's order is also tried as one that grows from kerf
+//! to kerf (`grown.rs`). Where cuts heat each other, it begins as well at a path that always goes to where it can go on soonest (`soonest`).
 //! Small problems get the exact optimum over their nodes, where nothing is hot (`exact.rs`).
 //!
 //! The costs that callers see are the exact ones.
 
+mod begin;
 mod change;
 mod clock;
 mod descent;
 mod exact;
+mod grown;
 mod sequence;
 mod soonest;
 mod visit;
@@ -22,7 +26,10 @@ use super::insight::Insight;
 use super::rng::seeded;
 use super::traits::{Search, Solution, Solver, Status, Step, Stop, Telemetry};
 use crate::problem::Problem;
+pub use begin::begun;
+use begin::begun_solution;
 use descent::{Descent, PATIENCE};
+use grown::grown;
 use sequence::Sequence;
 use soonest::soonest;
 
@@ -46,18 +53,18 @@ pub fn start<'p>(
     warm: Option<&Solution>,
 ) -> Box<dyn Search + 'p> {
     let inner = method.start(problem, seed, warm);
-    if problem.avoided().is_none() && problem.cooling().is_none() {
+    if !problem.depends_on_the_past() {
         return inner;
     }
     let first = warm.unwrap_or_else(|| inner.best()).clone();
     let sequence = Sequence::new(problem, &first.stops);
     let alone = method.is_published();
     let other = problem.cooling().filter(|_| !alone).and_then(|cooling| soonest(problem, cooling));
-    let mut best = Solution { cost: sequence.total(), stops: first.stops };
+    let mut best = begun_solution(problem, &first.stops, sequence.total());
     let mut descent = Descent::new(sequence, seeded(seed.wrapping_add(2)));
     if let Some(other) = other.map(|stops| Sequence::new(problem, &stops)) {
         if other.total() < best.cost {
-            best = Solution { cost: other.total(), stops: other.stops() };
+            best = begun_solution(problem, &other.stops(), other.total());
         }
         descent.begin_at(other);
     }
@@ -81,10 +88,10 @@ pub fn start<'p>(
 
 /// A solution with its exact seconds, where what has been cut before counts.
 pub fn priced(problem: &Problem, solution: Solution) -> Solution {
-    if problem.avoided().is_none() && problem.cooling().is_none() {
+    if !problem.depends_on_the_past() {
         return solution;
     }
-    Solution { cost: Sequence::new(problem, &solution.stops).total(), stops: solution.stops }
+    begun_solution(problem, &solution.stops, Sequence::new(problem, &solution.stops).total())
 }
 
 /// Whose turn it is, and how many moves of it are left.
@@ -161,8 +168,8 @@ impl Tipped<'_> {
     /// A piece of local search. Returns the number of moves priced; 0 if there is nothing to do.
     fn local(&mut self) -> u64 {
         if !std::mem::replace(&mut self.tried_exact, true)
-            && let Some(zones) = self.problem.avoided().filter(|_| self.problem.cooling().is_none())
-            && let Some((stops, priced)) = exact::optimum(self.problem, zones)
+            && self.problem.cooling().is_none()
+            && let Some((stops, priced)) = exact::optimum(self.problem)
         {
             let sequence = Sequence::new(self.problem, &stops);
             self.descent.begin_at(sequence);
@@ -177,7 +184,7 @@ impl Tipped<'_> {
     /// Takes the local search's best over, if it is better.
     fn keep(&mut self) {
         if self.descent.best() < self.best.cost - EPSILON {
-            self.best = Solution { stops: self.descent.stops(), cost: self.descent.best() };
+            self.best = begun_solution(self.problem, &self.descent.stops(), self.descent.best());
             self.best_at = self.done;
         }
     }
@@ -192,11 +199,18 @@ impl Tipped<'_> {
         self.seen = cost;
         let sequence = Sequence::new(self.problem, &found.stops);
         if sequence.total() < self.best.cost - EPSILON {
-            self.best = Solution { stops: found.stops.clone(), cost: sequence.total() };
+            self.best = begun_solution(self.problem, &found.stops, sequence.total());
+            self.best_at = self.done;
+        }
+        // The same in an order that begins on kerfs as far as it can; the better one is descended from.
+        let other = grown(self.problem, &found.stops).map(|stops| Sequence::new(self.problem, &stops));
+        let other = other.filter(|o| o.total() < sequence.total() && o.is_feasible());
+        if let Some(other) = other.as_ref().filter(|o| o.total() < self.best.cost - EPSILON) {
+            self.best = begun_solution(self.problem, &other.stops(), other.total());
             self.best_at = self.done;
         }
         if !self.alone {
-            self.descent.also_try(sequence);
+            self.descent.also_try(other.unwrap_or(sequence));
         }
         true
     }
@@ -244,7 +258,7 @@ impl Search for Tipped<'_> {
         let sequence = Sequence::new(self.problem, &other.stops);
         if sequence.total() < self.best.cost - EPSILON {
             self.inner.offer(&Solution::new(self.problem, other.stops.clone()));
-            self.best = Solution { stops: other.stops.clone(), cost: sequence.total() };
+            self.best = begun_solution(self.problem, &other.stops, sequence.total());
             self.best_at = self.done;
             self.descent.begin_at(sequence);
         }

@@ -2,9 +2,11 @@
 //!
 //! A change permutes the stops of a window and changes their entries. The legs outside it stay as they are: as many pieces are
 //! free before each of them as before. So a change is priced by the legs of its window alone, first as straight moves, which
-//! are a bound from below, and only if that is low enough with what is in their way. Where cuts heat each other, the stops after
+//! are a bound from below, and only if that is low enough with what is in their way. Where cuts begin on kerfs, all kerfs count for that bound, and
+//! then those that have been cut by then. Where cuts heat each other, the stops after
 //! the window are looked at as well, until what was changed has cooled (`clock.rs`).
 
+use super::begin::{Head, quickest, travel};
 use super::change::Change;
 use super::clock::{Clock, Window};
 use super::visit::Visit;
@@ -144,23 +146,47 @@ impl<'p> Sequence<'p> {
     }
 
     fn straight(&self, k: usize) -> f64 {
-        self.ends(k).map_or(0.0, |(from, to)| self.air.seconds(from, to))
+        self.begin(k, |_| true)
     }
 
     fn leg(&self, k: usize) -> f64 {
         let Some((from, to)) = self.ends(k) else { return 0.0 };
         match self.zones {
             Some(zones) => zones.leg(from, to, |p| self.is_free(p, k)).seconds,
-            None => self.air.seconds(from, to),
+            None => self.begin(k, |item| self.is_before(item, k)),
         }
+    }
+
+    /// Seconds of leg `k` as a straight move or a chain, with what the quickest way to begin the cut there saves, if `is_cut` says which
+    /// items have been cut before.
+    fn begin(&self, k: usize, is_cut: impl Fn(ItemId) -> bool) -> f64 {
+        let Some((from, to)) = self.ends(k) else { return 0.0 };
+        let Some(visit) = self.visits.get(k) else { return self.air.seconds(from, to) };
+        let left = k.checked_sub(1).and_then(|before| self.visits.get(before)).map(|v| v.stop.node);
+        let head = Head { at: from, left };
+        let quickest = quickest(self.problem, &self.air, head, visit.stop.node, is_cut);
+        quickest.map_or_else(|| travel(self.problem, &self.air, head, visit.stop.node, to), |q| q.1)
+    }
+
+    /// Whether an item is cut before the stop at `k`.
+    fn is_before(&self, item: ItemId, k: usize) -> bool {
+        self.position.get(item as usize).is_some_and(|&p| p != NOWHERE && (p as usize) < k)
+    }
+
+    /// The positions of the later stops on whose kerfs the stop at `k` might begin.
+    pub(super) fn later_kerfs(&self, k: usize) -> Vec<usize> {
+        let Some(visit) = self.visits.get(k) else { return Vec::new() };
+        let starts = &self.problem.starts;
+        let kerfs = starts.alike(visit.stop.node).iter().filter_map(|&n| starts.kerf(n));
+        let mut later: Vec<usize> = kerfs.filter_map(|i| self.position(i)).filter(|&p| p > k).collect();
+        later.sort_unstable();
+        later.dedup();
+        later
     }
 
     /// Whether a piece is free before leg `k`.
     fn is_free(&self, piece: &Piece, k: usize) -> bool {
-        piece
-            .cut_by
-            .iter()
-            .all(|&c| self.position.get(c as usize).is_some_and(|&p| (p as usize) < k && p != NOWHERE))
+        piece.cut_by.iter().all(|&c| self.is_before(c, k))
     }
 
     /// Writes the positions of the visits from `low` to `high`.
@@ -263,6 +289,11 @@ impl<'p> Sequence<'p> {
             window.swap_with_slice(&mut change.visits);
         }
         self.place(low, high);
+    }
+
+    /// Whether the order keeps precedence, ranks and groups.
+    pub(super) fn is_feasible(&self) -> bool {
+        self.is_allowed(0, self.len())
     }
 
     /// Whether the order within a window keeps precedence, ranks and groups.

@@ -4,7 +4,7 @@
 use super::*;
 use crate::geometry::{Arc, DVec2, Path, Segment};
 use crate::machine::{self, AirTime, ClosedRun};
-use crate::problem::{Groups, Item, Links, Node, NodeId};
+use crate::problem::{Groups, Item, Links, Node, NodeId, Starts};
 use crate::solve::rng::seeded;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
@@ -63,6 +63,7 @@ pub(super) fn small(seed: u64, count: u32, machine: &str, closed: bool) -> Probl
         zones: None,
         cooling: None,
         links: Links::default(),
+        starts: Starts::default(),
     }
 }
 
@@ -146,6 +147,7 @@ fn circles(centers: &[DVec2]) -> Problem {
         zones: None,
         cooling: None,
         links: Links::default(),
+        starts: Starts::default(),
     }
 }
 

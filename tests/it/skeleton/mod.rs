@@ -3,6 +3,7 @@
 
 mod checker;
 mod replay;
+mod starts;
 mod values;
 
 use kerfway::job::{Job, LayerChoice, LoadOptions, MachineChoice, PlanOptions};

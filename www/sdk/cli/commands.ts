@@ -124,7 +124,7 @@ const LEVERS: Options = {
   'fly-overcut': { value: 'MM', about: 'with --fly: cut this length of a contour again at its end (default 0)' },
   chains: { value: 'MM', about: 'join contours by cuts through waste of at most this length, where that is quicker than piercing' },
   'chain-clearance': { value: 'MM', about: 'with --chains: least distance of these cuts from other contours (default 1)' },
-  'edge-starts': { about: 'with --chains: begin cuts through waste on the kerf of the last contour and at the edge of the sheet, too, without piercing' },
+  'edge-starts': { about: 'with --chains: begin cuts through waste on kerfs that were cut before and at the edge of the sheet, too, without piercing' },
   'shared-cuts': { about: 'cut contours that share cuts, such as parts one kerf apart, together: pierced once, on any machine' },
   'offer-shifts': { value: 'MM', about: 'with a kerf: say which parts would stand one kerf from a neighbour if they were shifted by at most this' },
   'shift-parts': { value: 'MM', about: 'shift these parts, each by at most this' },

@@ -308,8 +308,8 @@ export interface Chains {
   /** Least distance of such a cut from every contour but the two that it joins, and from these away from its ends, mm. Default 1. */
   clearance?: number,
   /**
-   * Such a cut may also begin elsewhere on the kerf of the contour that was cut last, or at the edge of the sheet: the head moves there
-   * with the beam off, and the beam goes on without piercing. Default false.
+   * Such a cut may also begin on the kerf of any contour that was cut before, or at the edge of the sheet: the head moves there
+   * with the beam off, and the beam goes on without piercing. Skeleton cuts begin at the edge and on each other, too. Default false.
    */
   edge_starts?: boolean,
 }

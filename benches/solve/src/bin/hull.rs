@@ -7,7 +7,7 @@
 use cpu_time::ThreadTime;
 use kerfway::geometry::DVec2;
 use kerfway::machine;
-use kerfway::problem::{Groups, Item, Links, Node, Problem};
+use kerfway::problem::{Groups, Item, Links, Node, Problem, Starts};
 use kerfway::solve::{self, Search, Solver, Status, papers};
 use kerfway_bench_solve::trace::Trace;
 use serde_json::{Value, json};
@@ -118,5 +118,5 @@ fn problem(sheet: &Value) -> Option<Problem> {
     }
     let machine = machine::preset("length-partial")?;
     let (home, pairs, groups, table) = (point(&sheet["origin"])?, Vec::new(), Groups::default(), None);
-    Some(Problem { items, nodes, home, closed: true, machine, pairs, groups, table, zones: None, cooling: None, links: Links::default() })
+    Some(Problem { items, nodes, home, closed: true, machine, pairs, groups, table, zones: None, cooling: None, links: Links::default(), starts: Starts::default() })
 }

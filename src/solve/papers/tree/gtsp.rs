@@ -11,7 +11,7 @@
 use super::entries::{MOST_ORDERED, cheapest, orders};
 use super::forest::Forest;
 use super::graph::Graph;
-use crate::problem::{Groups, Item, ItemId, Links, Node, NodeId, Problem};
+use crate::problem::{Groups, Item, ItemId, Links, Node, NodeId, Problem, Starts};
 use crate::solve::epsilon::EPSILON;
 use crate::solve::tour_tree::TourTree;
 use crate::solve::{Running, Solution, Solver, Status, Stop};
@@ -61,6 +61,7 @@ impl Gtsp {
             zones: None,
             cooling: None,
             links: Links::default(),
+            starts: Starts::default(),
         };
         let mut stops = Vec::new();
         for (id, &item) in (0..).zip(&items) {

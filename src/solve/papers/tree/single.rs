@@ -8,7 +8,7 @@
 use super::forest::{Forest, ROOT};
 use super::graph::Graph;
 use super::{entries, visits};
-use crate::problem::{Groups, Item, Links, NodeId, Problem};
+use crate::problem::{Groups, Item, Links, NodeId, Problem, Starts};
 use crate::solve::insight::charts;
 use crate::solve::papers::piecewise::{Piecewise, Progress, solution};
 use crate::solve::papers::repair::Repair;
@@ -54,6 +54,7 @@ impl<'p> Single<'p> {
             zones: None,
             cooling: None,
             links: Links::default(),
+            starts: Starts::default(),
         };
         let relaxed = Relaxed::new(relaxed, |p| TourTree.start(p, seed, None));
         let progress = Progress::new(greedy(problem), f64::INFINITY);

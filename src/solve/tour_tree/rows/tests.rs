@@ -2,7 +2,7 @@
 
 use crate::geometry::{DVec2, Path, Segment};
 use crate::machine;
-use crate::problem::{Groups, Item, Links, Node, Problem};
+use crate::problem::{Groups, Item, Links, Node, Problem, Starts};
 use crate::solve::methods;
 
 /// Items in a row, and rows.
@@ -31,6 +31,7 @@ fn rectangles(centers: &[DVec2], half: DVec2) -> Problem {
         zones: None,
         cooling: None,
         links: Links::default(),
+        starts: Starts::default(),
     }
 }
 

@@ -337,7 +337,7 @@ export const de: Words = {
     fly: 'Reihen und Raster im Flug schneiden', reach: 'Längster Weg zwischen zwei Schnitten', flyOvercut: 'Jede Kontur noch einmal schneiden um',
     aboutFly: 'Der Kopf hält zwischen Löchern einer Reihe und an den Seiten eines Rasters nicht an: der Strahl geht während der Fahrt an und aus. Für Blech, das sofort durchgeschnitten ist, und Steuerungen, die den Strahl in Bewegung schalten. Was Anfahrten oder Mikrostege hat, wird einzeln geschnitten.',
     chains: 'Konturen durch den Abfall verbinden', chainReach: 'Längster Schnitt durch den Abfall', chainClearance: 'Abstand von anderen Konturen',
-    edgeStarts: 'Auch im letzten Schnitt und am Rand der Tafel beginnen',
+    edgeStarts: 'Auch in Schnitten und am Rand der Tafel beginnen',
     shared: 'Gemeinsame Seiten zusammen schneiden', shift: 'Verschiebbare Teile nennen, bis zu', shiftParts: 'Diese Teile verschieben', aboutShared: 'Für Teile mit einem Schnittspalt Abstand: einmal eingestochen und als eines geschnitten. Wo der Strahl in ihren Schnitten neu beginnt, sticht er nicht ein.',
     aboutChains: 'Vom Ende einer Kontur schneidet der Strahl gerade durch den Abfall zur nächsten, wo das schneller ist als ausschalten, fahren und einstechen. Am meisten gewinnen Teile, die Ecke an Ecke liegen.',
     aboutLift: 'Für Teile, die sich aufstellen können. Der Kopf hebt und senkt sich auf dem Weg, wenn Sie das nicht abschalten. Die Höhen stehen im G-Code; andere Steuerungen heben selbst.',

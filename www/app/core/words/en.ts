@@ -286,7 +286,7 @@ export const en = {
     fly: 'Cut rows and grids on the run', reach: 'Longest way between two cuts', flyOvercut: 'Cut each contour again by',
     aboutFly: 'The head does not stop between holes in a row, or along the sides of a grid: the beam goes on and off as it runs. For sheet that is cut through at once, and controllers that switch the beam in motion. What has leads or micro-joints is cut one by one.',
     chains: 'Join contours through waste', chainReach: 'Longest cut through waste', chainClearance: 'Distance from other contours',
-    edgeStarts: 'Begin on the last kerf and at the edge of the sheet, too',
+    edgeStarts: 'Begin on kerfs and at the edge of the sheet, too',
     shared: 'Cut shared sides together', shift: 'Say which parts to shift by up to', shiftParts: 'Shift them', aboutShared: 'For parts one kerf apart: pierced once and cut as one. Where the beam begins again on their kerfs, it does not pierce.',
     aboutChains: 'From the end of a contour the beam cuts straight through the waste to the next one, where that is quicker than switching off, moving and piercing. Parts that stand corner to corner gain the most.',
     aboutLift: 'For parts that may tip up. The head rises and sinks on its way, unless you switch that off. G-code has the heights; other controllers lift by themselves.',

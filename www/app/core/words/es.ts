@@ -337,7 +337,7 @@ export const es: Words = {
     fly: 'Cortar filas y cuadrículas al vuelo', reach: 'Trayecto más largo entre dos cortes', flyOvercut: 'Volver a cortar de cada contorno',
     aboutFly: 'El cabezal no se detiene entre los agujeros de una fila ni a lo largo de los lados de una cuadrícula: el haz se enciende y se apaga en marcha. Para chapa que se atraviesa al instante y controladores que conmutan el haz en movimiento. Lo que tiene entradas o microuniones se corta de uno en uno.',
     chains: 'Unir contornos por el material sobrante', chainReach: 'Corte más largo por el sobrante', chainClearance: 'Distancia a otros contornos',
-    edgeStarts: 'Empezar también en el último corte y en el borde de la chapa',
+    edgeStarts: 'Empezar también en cortes hechos y en el borde de la chapa',
     shared: 'Cortar juntos los lados comunes', shift: 'Indicar piezas que se podrían desplazar hasta', shiftParts: 'Desplazarlas', aboutShared: 'Para piezas a un ancho de corte de distancia: se perforan una vez y se cortan como una. Donde el haz vuelve a empezar en sus cortes, no perfora.',
     aboutChains: 'Desde el final de un contorno el haz corta en línea recta por el material sobrante hasta el siguiente, donde eso es más rápido que apagar, desplazarse y perforar. Ganan más las piezas que están esquina con esquina.',
     aboutLift: 'Para piezas que pueden levantarse. El cabezal sube y baja por el camino, si no lo desactiva. Las alturas están en el G-code; otros controladores levantan por sí mismos.',
