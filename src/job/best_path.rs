@@ -251,6 +251,7 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<[f6
     let mut goes_on = false;
     let (mut now, mut head, mut height) = (0.0, machine.home(), 0.0);
     let (mut moving, mut chained) = (false, false);
+    let mut last = None;
     // The contour whose passes go on until the next air move.
     let mut repeated = None;
     // Since a joint was left: the elements of a motion that goes on, and whether the contour does.
@@ -312,7 +313,11 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<[f6
                 motion.clear();
                 let passes =
                     sheet.contours.get(*contour as usize).map_or(1, |c| sheet.passes_at_once(c, machine));
-                let again = repeated == Some(*contour);
+                // A skeleton cut that begins on another one is cut to both ends from there.
+                let known = sheet.contours.get(*contour as usize);
+                let halves = known.is_some_and(|c| PLANS_ALL_LEVERS && c.skeleton) && last == Some(*contour);
+                last = Some(*contour);
+                let again = halves || repeated == Some(*contour);
                 repeated = (passes > 1).then_some(*contour);
                 match runs.last_mut().filter(|_| goes_on || again || after_joint) {
                     Some(run) => run[1] = end,

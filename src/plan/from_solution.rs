@@ -18,8 +18,8 @@ use crate::solve::{Solution, Stop, begun};
 /// Cuts are pierced in every pass; marks are not. A contour that is left unfinished gets a pre-cut where it is left, if
 /// the machine charges for pre-cuts, and is resumed without piercing; so is a pierce group. A cut pauses in sharp corners, and
 /// is interrupted by micro-joints. There is no air move if the head
-/// is already in place. Between nodes with a link there is a chain or an edge start instead, and no piercing. Each cut begins on a kerf only where
-/// that has been cut before, and otherwise in the next best way.
+/// is already in place. Between nodes with a link there is a chain or an edge start instead, and no piercing. Each cut begins in the quickest way that there is,
+/// which may be on a kerf that was cut before.
 pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> Plan {
     let mut moves = Vec::with_capacity(3 * solution.stops.len() + 1);
     let mut head = problem.home;
@@ -27,11 +27,14 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
     // For each contour, the place where it was begun.
     let mut begun_at: Vec<Option<f64>> = vec![None; sheet.contours.len()];
     let mut last: Option<NodeId> = None;
-    for stop in &begun(problem, &solution.stops) {
+    let starts = begun(problem, &solution.stops);
+    for (k, stop) in solution.stops.iter().enumerate() {
         let Some(node) = problem.nodes.get(stop.node as usize) else { continue };
         let contour = node.item;
         let before = last.replace(stop.node);
+        let begins = starts.get(k).copied().flatten();
         let link = before.and_then(|before| problem.links.between(before, stop.node));
+        let link = link.filter(|_| begins.is_none());
         let Some(known) = sheet.contours.get(contour as usize) else { continue };
         if let Some(path) = problem.items.get(contour as usize).and_then(|i| i.path(stop.node)) {
             if let Some((from, to)) = stop.ends(problem) {
@@ -57,6 +60,10 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         }
         let lead = item.and_then(|i| i.lead(stop.node)).map(|l| l.0);
         let approach = lead.and_then(|lead| lead.approach);
+        if let Some(begins) = begins.filter(|_| known.skeleton) {
+            skeleton_cut(&mut moves, &mut head, (stop.node, begins.from), problem);
+            continue;
+        }
         let (path, leads) = match lead.filter(|lead| approach.is_none() || !lead.is_bare()) {
             Some(lead) => with_leads(lead, &known.path, stop.along),
             None => (path_of(&known.path, stop, node.reversed), Leads::default()),
@@ -70,6 +77,9 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         } else if let Some(approach) = approach {
             go(&mut moves, &mut head, approach.start());
             moves.push(Move::Chain { path: vec![approach] });
+        } else if let Some(begins) = begins {
+            go(&mut moves, &mut head, begins.from);
+            moves.push(Move::Chain { path: vec![Segment::line(begins.from, entry)] });
         } else {
             go(&mut moves, &mut head, entry);
         }
@@ -78,7 +88,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         let moving =
             item.is_none_or(|i| i.joints.is_none()) && starts_moving(sheet, &problem.machine, known, lead);
         let start = match (moving, known.is_mark()) {
-            _ if resumed || link.is_some() || approach.is_some() => None,
+            _ if resumed || link.is_some() || approach.is_some() || begins.is_some() => None,
             (true, _) => Some(Move::MovingStart),
             (false, true) => None,
             (false, false) => Some(Move::Pierce),
@@ -121,6 +131,25 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
     summary.hot_pairs = hot_pairs;
     summary.parts = u32::try_from(sheet.parts.len()).unwrap_or(u32::MAX);
     Plan { moves, summary }
+}
+
+/// A skeleton cut that begins without piercing at a place: at its end, or on another one that it crosses, from where it is cut to both ends.
+fn skeleton_cut(moves: &mut Vec<Move>, head: &mut DVec2, (node, from): (NodeId, DVec2), problem: &Problem) {
+    let Some(node) = problem.nodes.get(node as usize) else { return };
+    let ends = [node.entry, node.exit];
+    for &to in ends.iter().filter(|&&to| to != from) {
+        go(moves, head, from);
+        let (path, leads) = (vec![Segment::line(from, to)], Leads::default());
+        moves.push(Move::Cut {
+            contour: node.item,
+            with: Vec::new(),
+            path,
+            mark: false,
+            leads,
+            turns: Vec::new(),
+        });
+        *head = to;
+    }
 }
 
 /// Lowers the head for a pass, if the process asks for it; returns whether it did.

@@ -6,18 +6,18 @@ use super::fly::FlyGroups;
 use super::groups::Groups;
 use super::heat;
 use super::ids::{ItemId, NodeId};
-use super::kerf_starts::{BareStarts, KerfStarts};
+use super::kerf_starts::KerfStarts;
 use super::leads::{ItemLeads, LeadNode, Planners};
 use super::links::Links;
 use super::model::{Item, Node, Problem, count};
 use super::pierce_groups::PierceGroups;
 use super::seconds::{leave_seconds, seconds, start_seconds};
-use super::skeleton_starts::SkeletonStarts;
-use super::starts::Starts;
+use super::skeleton_starts::skeleton_starts;
+use super::starts::{Start, Starts};
 use super::sub_path::SubPath;
 use super::tipping;
 use crate::geometry::DVec2;
-use crate::machine::{PLANS_ALL_LEVERS, Profile};
+use crate::machine::{AirTime, PLANS_ALL_LEVERS, Profile};
 use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
 
@@ -44,8 +44,8 @@ use crate::sheet::{Contour, Operation, Sheet};
 ///   are ways through them.
 /// * Chains: where contours may be joined through waste, their nodes include places opposite each other, and links between nodes
 ///   say what a chain takes. A contour with links is entered at its nodes only.
-/// * Edge starts: a contour near the edge of the sheet is also entered from there, without piercing, and one near others from their kerfs, once
-///   they are cut. So are skeleton cuts from the edge and from each other.
+/// * Edge starts: a contour near the edge of the sheet is also entered from there, without piercing. What begins on the kerfs of others, once they are
+///   cut, and skeleton cuts that begin at the edge or on each other, have starts beside their nodes.
 /// * Joints: a contour with micro-joints is entered where its leads are away from them, or at the end of one. It is not left
 ///   unfinished, and is pierced at rest.
 /// * Sequences: pairs of items. Contours in a sequence are not left unfinished, and have at least the rank of those before them.
@@ -67,8 +67,6 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
     let is_alone = |c| !joined.holds(c) && !flown.holds(c);
     let chained = Candidates::new(sheet, machine, &planners, is_alone);
     let starts = KerfStarts::new(sheet, machine, chained.as_ref());
-    let skeleton = SkeletonStarts::new(sheet, machine);
-    let mut kerfs: Vec<(NodeId, ItemId)> = Vec::new();
     let keeps_together = sheet.keeps_together();
     let mut items = Vec::with_capacity(sheet.contours.len());
     let mut nodes: Vec<Node> = Vec::new();
@@ -86,18 +84,11 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
             items.push(Item::default());
             continue;
         }
-        let begins = skeleton.as_ref().and_then(|s| s.item(item, contour, rank, &mut nodes, &mut kerfs));
-        if let Some(item) = begins {
-            items.push(item);
-            continue;
-        }
         let joints = planners.joints(item).map(Box::new);
         let led = ItemLeads::new(&planners, item, contour, joints.as_deref());
         if let Some((mut leads, mut places, mut least)) = led {
             if let Some(starts) = starts.as_ref().filter(|_| joints.is_none()) {
-                let (less, on_kerfs) = starts.add(item, &mut leads, &mut places);
-                least -= less;
-                kerfs.extend(on_kerfs.into_iter().map(|(node, kerf)| (first + node, kerf)));
+                least -= starts.add_edge(item, &mut leads, &mut places);
             }
             push_leads(&mut nodes, item, places);
             items.push(Item {
@@ -119,9 +110,8 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
         let passes = sheet.passes_at_once(contour, machine);
         let joined_places = chained.as_ref().and_then(|c| c.places(item));
         let bare = starts.as_ref().filter(|_| joints.is_none() && contour.path.closed);
-        if let Some(starts) = bare.and_then(|s| s.bare(item, contour, joined_places)) {
-            let BareStarts { leads, nodes: places, least, kerfs: on_kerfs } = starts;
-            kerfs.extend(on_kerfs.into_iter().map(|(node, kerf)| (first + node, kerf)));
+        if let Some((leads, places, least)) = bare.and_then(|s| s.bare_at_edge(item, contour, joined_places))
+        {
             push_leads(&mut nodes, item, places);
             items.push(Item {
                 nodes: first..count(&nodes),
@@ -154,15 +144,13 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
             ..Item::default()
         });
     }
-    let starts = if PLANS_ALL_LEVERS {
-        let exits: Vec<DVec2> = nodes.iter().map(|n| n.exit).collect();
-        Starts::new(items.iter().map(|i| i.nodes.clone()), &exits, &kerfs)
-    } else {
-        Starts::default()
-    };
+    let on_kerfs = starts.map(|s| s.on_kerfs(&items, &nodes)).unwrap_or_default();
     let links = chained.map_or_else(Links::default, |c| c.links(&items, &nodes));
-    for item in items.iter_mut().filter(|i| i.nodes.clone().any(|n| links.touch(n))) {
-        item.track = None;
+    let starts = starts_of(sheet, machine, &items, &nodes, &links, on_kerfs);
+    for item in items.iter_mut() {
+        if item.nodes.clone().any(|n| links.touch(n) || !starts.of(n).is_empty()) {
+            item.track = None;
+        }
     }
     Problem {
         items,
@@ -178,6 +166,28 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
         links,
         starts,
     }
+}
+
+/// All starts: those on the kerfs of contours, and those of skeleton cuts.
+fn starts_of(
+    sheet: &Sheet,
+    machine: &Profile,
+    items: &[Item],
+    nodes: &[Node],
+    links: &Links,
+    on_kerfs: Vec<(NodeId, Start)>,
+) -> Starts {
+    if !PLANS_ALL_LEVERS {
+        return Starts::default();
+    }
+    let mut found = on_kerfs;
+    found.extend(skeleton_starts(sheet, machine, items, nodes));
+    let air = AirTime::head_down(machine);
+    let saved = |node: NodeId, start: &Start| {
+        let node = nodes.get(node as usize)?;
+        Some((node.item, air.seconds(start.from, node.entry) - start.seconds))
+    };
+    Starts::new(nodes.len(), found, saved, |item| links.saved(item))
 }
 
 /// Several passes over an open contour run there and back: after an even number, the head is where it began.

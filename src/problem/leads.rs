@@ -33,14 +33,11 @@ pub(super) struct LeadNode {
     pub(super) exit: DVec2,
 }
 
-/// A start without piercing.
-pub(super) struct KerfStart {
-    /// The number of the node, among those of its item, to whose place it leads.
+/// A cut through waste from the edge of the sheet, in place of the piercing of a node.
+pub(super) struct EdgeStart {
+    /// The number of the node among those of its item.
     pub(super) node: usize,
-    /// The cut through waste.
     pub(super) approach: Segment,
-    /// The contour on whose kerf it begins; `None` for the edge of the sheet.
-    pub(super) kerf: Option<u32>,
     /// Seconds of the cut through waste.
     pub(super) seconds: f64,
 }
@@ -150,7 +147,7 @@ impl ItemLeads {
     pub(super) fn add_starts(
         &mut self,
         nodes: &mut Vec<LeadNode>,
-        starts: &[KerfStart],
+        starts: &[EdgeStart],
         pierce_time: f64,
     ) -> f64 {
         for start in starts {
@@ -169,11 +166,6 @@ impl ItemLeads {
         let least = self.leads.iter().map(|l| l.1).fold(f64::INFINITY, f64::min);
         self.leads.iter_mut().for_each(|l| l.1 -= least);
         -least
-    }
-
-    /// The leads of the nodes.
-    pub(super) fn all(&self) -> Vec<Lead> {
-        self.leads.iter().map(|l| l.0.clone()).collect()
     }
 
     /// Whether the contour's cut begins moving: its leads have one overcut.

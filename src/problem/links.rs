@@ -12,8 +12,8 @@ pub struct Links {
     all: Vec<Link>,
     /// The nodes at which links begin or end, in order.
     ends: Vec<NodeId>,
-    /// Most seconds that a link to any of the items saves on its air move, added up over the items.
-    most_saved: f64,
+    /// By item: most seconds that a link to it saves on its air move.
+    saved: Vec<f64>,
 }
 
 /// A link from one node to another.
@@ -63,8 +63,7 @@ impl Links {
         let mut ends: Vec<NodeId> = links.iter().flat_map(|(from, link)| [*from, link.to]).collect();
         sort_by(&mut ends, |&n| [n.into(), 0, 0]);
         ends.dedup();
-        let most_saved = saved.iter().sum();
-        Self { first, all: links.into_iter().map(|l| l.1).collect(), ends, most_saved }
+        Self { first, all: links.into_iter().map(|l| l.1).collect(), ends, saved }
     }
 
     /// Whether there are none.
@@ -101,6 +100,11 @@ impl Links {
 
     /// No plan saves more by its links than this, s: every item is reached once.
     pub fn most_saved(&self) -> f64 {
-        self.most_saved
+        self.saved.iter().sum()
+    }
+
+    /// Most seconds that a link to an item saves.
+    pub(super) fn saved(&self, item: u32) -> f64 {
+        self.saved.get(item as usize).copied().unwrap_or(0.0)
     }
 }

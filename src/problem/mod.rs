@@ -32,6 +32,6 @@ pub use instance::{Fault, Instance, InstanceError, check, instance};
 pub use leads::ItemLeads;
 pub use links::{Link, Links};
 pub use model::{Item, Node, Problem};
-pub use starts::Starts;
+pub use starts::{Start, Starts};
 pub use sub_path::{LeavePoint, Span, Stroke, SubPath};
 pub use table::Table;

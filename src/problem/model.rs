@@ -192,14 +192,14 @@ pub struct Problem {
     /// Pairs of nodes with something quicker between them than an air move: chains, on a machine with `levers.chains`. Their items
     /// have no track. Where there is a link, its seconds are the cost of travel.
     pub links: Links,
-    /// The nodes that begin on kerfs, on a machine with `levers.chains.edge_starts`. Each may be used once the item of that kerf has been cut.
+    /// Other ways to begin the cuts of nodes, without piercing, on a machine with `levers.chains.edge_starts`. Their items have no track either.
     pub starts: Starts,
 }
 
 impl Problem {
-    /// What every plan pays at its items, whatever its travel, s ([`Item::least`]), less what links may save on air moves.
+    /// What every plan pays at its items, whatever its travel, s ([`Item::least`]), less what links and starts may save.
     pub fn paid(&self) -> f64 {
-        self.items.iter().map(Item::least).sum::<f64>() - self.links.most_saved()
+        self.items.iter().map(Item::least).sum::<f64>() - self.links.most_saved() - self.starts.most_saved()
     }
 
     /// The pieces that may tip, if moves avoid them.

@@ -1,78 +1,82 @@
-//! Nodes that begin on a kerf: each may be used only if the item whose kerf that is has been cut before.
+//! Starts without piercing: other ways to begin the cut of a node, some of which need a kerf that has been cut before.
 //!
-//! What is cut before depends on the order, which a method that prices moves by their ends does not know: for it, such a node is like
-//! any other, and what it finds takes at most as long as the real plan. `solve::tipped` knows the real seconds.
+//! Which kerfs there are depends on the order, and a method that prices moves by their ends does not know it. So the starts are no nodes: for such
+//! a method every cut is pierced or joined to the one before it, and `solve::tipped` begins each cut in the quickest way that there is by then.
 
 use super::ids::{ItemId, NodeId};
 use crate::geometry::DVec2;
-use std::ops::Range;
+use crate::order::{real, sort_by};
 
-/// The nodes of a problem that begin on kerfs. It has none by default.
+/// The starts of a problem, by node. It has none by default.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Starts {
-    /// By node: the item on whose kerf it begins; empty without such nodes.
-    kerfs: Vec<Option<ItemId>>,
-    /// The nodes of items with such nodes, those next to each other that leave their item at one place.
-    alike: Vec<NodeId>,
-    /// By node: the stretch of `alike` that it is in.
-    stretches: Vec<Range<u32>>,
+    /// Starts of node n: `all[first[n]..first[n + 1]]`; empty without starts.
+    first: Vec<u32>,
+    all: Vec<Start>,
+    /// Most seconds that starts save beyond links, added up over the items.
+    most_saved: f64,
+}
+
+/// A way to begin the cut of a node without piercing. It is left where the node is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Start {
+    /// The item on whose kerf it begins, which has to be cut before; `None`: it begins at the edge of the sheet.
+    pub kerf: Option<ItemId>,
+    /// Where the head goes with the beam off, mm.
+    pub from: DVec2,
+    /// Seconds from there on beyond those of the item if it is pierced; negative where it saves the piercing.
+    pub seconds: f64,
 }
 
 impl Starts {
-    /// Those of a problem; `kerfs` has the nodes that begin on kerfs, each with the item that has to be cut before, `items` the nodes of each
-    /// item, and `exits` where each node leaves its item.
+    /// The starts of `nodes` nodes, each with its node. `saved` gives the most seconds that a start saves, and its item; `by_links` what links save there.
     pub(super) fn new(
-        items: impl Iterator<Item = Range<NodeId>>,
-        exits: &[DVec2],
-        kerfs: &[(NodeId, ItemId)],
+        nodes: usize,
+        mut found: Vec<(NodeId, Start)>,
+        saved: impl Fn(NodeId, &Start) -> Option<(ItemId, f64)>,
+        by_links: impl Fn(ItemId) -> f64,
     ) -> Self {
-        if kerfs.is_empty() {
+        if found.is_empty() {
             return Self::default();
         }
-        let (kerf, stretch) = (vec![None; exits.len()], vec![0..0; exits.len()]);
-        let mut new = Self { kerfs: kerf, alike: Vec::new(), stretches: stretch };
-        for &(node, item) in kerfs {
-            if let Some(kerf) = new.kerfs.get_mut(node as usize) {
-                *kerf = Some(item);
+        sort_by(&mut found, |(node, s)| {
+            [(*node).into(), real(s.seconds), s.kerf.map_or(0, |k| 1 + u64::from(k))]
+        });
+        let mut first = vec![0_u32; nodes + 1];
+        let mut most: Vec<f64> = Vec::new();
+        for (node, start) in &found {
+            if let Some(count) = first.get_mut(*node as usize + 1) {
+                *count += 1;
+            }
+            let Some((item, seconds)) = saved(*node, start) else { continue };
+            most.resize(most.len().max(item as usize + 1), 0.0);
+            if let Some(most) = most.get_mut(item as usize) {
+                *most = seconds.max(*most);
             }
         }
-        for item in items {
-            let mut rest: Vec<NodeId> = item.collect();
-            if !rest.iter().any(|&n| new.kerf(n).is_some()) {
-                continue;
-            }
-            while let Some(exit) = rest.first().and_then(|&n| exits.get(n as usize)) {
-                let leaves = |n: &NodeId| exits.get(*n as usize) == Some(exit);
-                let (here, others): (Vec<NodeId>, Vec<NodeId>) = rest.into_iter().partition(leaves);
-                let length = |list: &[NodeId]| u32::try_from(list.len()).unwrap_or(u32::MAX);
-                let first = length(&new.alike);
-                let stretch = first..first + length(&here);
-                for &n in &here {
-                    if let Some(known) = new.stretches.get_mut(n as usize) {
-                        *known = stretch.clone();
-                    }
-                }
-                new.alike.extend(here);
-                rest = others;
-            }
+        let mut sum = 0;
+        for count in &mut first {
+            sum += *count;
+            *count = sum;
         }
-        new
+        let most_saved = (0..).zip(most).map(|(item, most)| (most - by_links(item)).max(0.0)).sum();
+        Self { first, all: found.into_iter().map(|f| f.1).collect(), most_saved }
     }
 
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
-        self.kerfs.is_empty()
+        self.all.is_empty()
     }
 
-    /// The item on whose kerf a node begins; `None` if it may be used at any time.
-    pub fn kerf(&self, node: NodeId) -> Option<ItemId> {
-        self.kerfs.get(node as usize).copied().flatten()
+    /// Those of a node, the quickest first.
+    pub fn of(&self, node: NodeId) -> &[Start] {
+        let at = |n: usize| self.first.get(n).map(|&f| f as usize);
+        let range = at(node as usize).zip(at(node as usize + 1)).map(|(from, to)| from..to);
+        range.and_then(|r| self.all.get(r)).unwrap_or_default()
     }
 
-    /// The nodes that leave the same item at the same place as a node does, if some node of the item begins on a kerf: other ways to begin the same
-    /// cut.
-    pub fn alike(&self, node: NodeId) -> &[NodeId] {
-        let stretch = self.stretches.get(node as usize).map(|s| s.start as usize..s.end as usize);
-        stretch.and_then(|s| self.alike.get(s)).unwrap_or_default()
+    /// No plan saves more by its starts than this beyond what it may save by links, s: every item is begun once.
+    pub fn most_saved(&self) -> f64 {
+        self.most_saved
     }
 }

@@ -76,17 +76,22 @@ impl<'p> Sets<'p> {
         Self { problem, air: AirTime::new(&problem.machine), items, start, earlier, least }
     }
 
-    fn leg(&self, from: Option<NodeId>, to: Option<NodeId>) -> f64 {
+    /// Seconds of a leg after the items in `done`.
+    fn leg(&self, from: Option<NodeId>, to: Option<NodeId>, done: usize) -> f64 {
         let (from, to) = (from.or(self.start), to.or(self.start));
         if let (Some(table), Some(a), Some(b)) = (self.problem.table(), from, to) {
             return table.cost(a, b);
         }
-        if let Some(link) = from.zip(to).and_then(|(a, b)| self.problem.links.between(a, b)) {
-            return link.seconds;
-        }
         let leave = from.map_or(self.problem.home, |n| self.problem.nodes[n as usize].exit);
+        // A cut may begin on the kerf of what is done.
+        let starts = to.map_or(&[][..], |n| self.problem.starts.of(n)).iter();
+        let starts = starts.filter(|s| s.kerf.is_none_or(|kerf| done >> kerf & 1 == 1));
+        let begun = starts.map(|s| self.air.seconds(leave, s.from) + s.seconds).fold(f64::INFINITY, f64::min);
+        if let Some(link) = from.zip(to).and_then(|(a, b)| self.problem.links.between(a, b)) {
+            return link.seconds.min(begun);
+        }
         match to {
-            Some(n) => self.air.seconds(leave, self.problem.nodes[n as usize].entry),
+            Some(n) => self.air.seconds(leave, self.problem.nodes[n as usize].entry).min(begun),
             None if self.problem.closed => self.air.seconds(leave, self.problem.home),
             None => 0.0,
         }
@@ -126,12 +131,9 @@ impl<'p> Sets<'p> {
                         continue;
                     }
                     let item = &self.problem.items[next as usize];
-                    // What begins on a kerf comes after the item of that kerf.
-                    let begins =
-                        |n: &NodeId| self.problem.starts.kerf(*n).is_none_or(|kerf| done >> kerf & 1 == 1);
-                    for n in item.nodes.clone().filter(begins) {
+                    for n in item.nodes.clone() {
                         let extra = item.extra(n, self.problem.nodes[n as usize].along);
-                        let cost = cost + self.leg(end, Some(n)) + extra;
+                        let cost = cost + self.leg(end, Some(n), done) + extra;
                         let known = &mut self.least[(done | 1 << next) * count + n as usize];
                         *known = known.min(cost);
                     }
@@ -152,7 +154,7 @@ impl<'p> Sets<'p> {
                 let item = self.problem.nodes[n as usize].item;
                 let follows =
                     |next: NodeId| self.allowed(done, Some(item), self.problem.nodes[next as usize].item);
-                let cost = self.least[done * count + n as usize] + self.leg(Some(n), next);
+                let cost = self.least[done * count + n as usize] + self.leg(Some(n), next, done);
                 if cost < f64::INFINITY && next.is_none_or(follows) && best.is_none_or(|b| cost < b.0) {
                     best = Some((cost, n));
                 }

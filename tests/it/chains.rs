@@ -291,14 +291,18 @@ fn brute_with(sheet: &Sheet, machine: &Profile, problem: &Problem, slope: f64, p
     };
     let mut on_kerfs: Vec<Vec<OnKerf>> = vec![Vec::new(); nodes.len()];
     for (n, cut) in (0..nodes.len()).filter_map(|n| Some((n, approach(n)?))) {
-        let (kerf, to) = (on(cut.start()), cut.end());
-        let own = [kerf.unwrap_or(nodes[n].item), nodes[n].item];
-        let seconds = match kerf {
-            Some(_) => chain_seconds(sheet, machine, own, cut.start(), to, slope),
-            None => Some(cut_time(machine, &machine.cut, &[cut])),
-        };
-        let alike = pierced.iter().filter(|&&k| nodes[k].item == nodes[n].item && nodes[k].entry == to);
-        alike.for_each(|&k| on_kerfs[k].extend(seconds.map(|s| (kerf, cut.start(), s))));
+        let seconds = cut_time(machine, &machine.cut, &[cut]);
+        let alike =
+            pierced.iter().filter(|&&k| nodes[k].item == nodes[n].item && nodes[k].entry == cut.end());
+        alike.for_each(|&k| on_kerfs[k].push((None, cut.start(), seconds)));
+    }
+    for &n in &pierced {
+        for start in problem.starts.of(u32::try_from(n).unwrap()) {
+            let kerf = on(start.from).unwrap();
+            let seconds =
+                chain_seconds(sheet, machine, [kerf, nodes[n].item], start.from, nodes[n].entry, slope);
+            on_kerfs[n].extend(seconds.map(|s| (Some(kerf), start.from, s)));
+        }
     }
     let leg = nodes.iter().map(leg).collect();
     let brute = Brute { problem, air, leg, on_kerfs, pierced, pierce, delays };

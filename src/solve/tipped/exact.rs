@@ -1,9 +1,9 @@
 //! The exact optimum of small problems over their nodes: dynamic programming over sets of items (Held & Karp, 1962).
 //!
 //! What a leg costs depends on the set of items that have been cut before it, and not on their order, so the states are the
-//! same as without tipped pieces. So it is with the kerfs on which a node may begin.
+//! same as without tipped pieces. So it is with the kerfs on which a cut may begin.
 
-use super::begin::{Head, travel};
+use super::begin::{Head, begin};
 use crate::geometry::DVec2;
 use crate::machine::AirTime;
 use crate::problem::{Item, ItemId, NodeId, Problem};
@@ -71,7 +71,9 @@ impl Sets<'_> {
         let is_free = |piece: &Piece| piece.cut_by.iter().all(|&c| self.is_cut(c, cut));
         match (self.zones, to) {
             (Some(zones), _) => zones.leg(head.at, entry, is_free).seconds,
-            (None, Some(node)) => travel(self.problem, &self.air, head, node, entry),
+            (None, Some(node)) => {
+                begin(self.problem, &self.air, head, (node, entry), |i| self.is_cut(i, cut)).1
+            }
             (None, None) => self.air.seconds(head.at, entry),
         }
     }
@@ -94,8 +96,7 @@ impl Sets<'_> {
                     continue;
                 }
                 let item = problem.items.get(id as usize)?;
-                let begins = |n: &NodeId| problem.starts.kerf(*n).is_none_or(|kerf| self.is_cut(kerf, set));
-                for node in item.nodes.clone().filter(begins) {
+                for node in item.nodes.clone() {
                     let known = problem.nodes.get(node as usize)?;
                     let extra = item.extra(node, known.along);
                     let mut found = Best { seconds: f64::INFINITY, before: None };

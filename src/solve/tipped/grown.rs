@@ -4,7 +4,7 @@
 //! those that are connected by starts on kerfs is, and the others come in the method's order as far as they can begin. Each is entered where
 //! the way to it, its cut, and the way to the next one take the fewest seconds.
 
-use super::begin::{Head, travel};
+use super::begin::{Head, begin};
 use crate::machine::AirTime;
 use crate::problem::{ItemId, NodeId, Problem};
 use crate::solve::traits::Stop;
@@ -44,9 +44,9 @@ pub(super) fn grown(problem: &Problem, stops: &[Stop]) -> Option<Vec<Stop>> {
     Some(new.stops)
 }
 
-/// The items on whose kerfs nodes begin.
+/// The items on whose kerfs the cuts of nodes may begin.
 fn kerfs(problem: &Problem, nodes: std::ops::Range<NodeId>) -> Vec<ItemId> {
-    let mut all: Vec<ItemId> = nodes.filter_map(|n| problem.starts.kerf(n)).collect();
+    let mut all: Vec<ItemId> = nodes.flat_map(|n| problem.starts.of(n)).filter_map(|s| s.kerf).collect();
     all.sort_unstable();
     all.dedup();
     all
@@ -109,11 +109,10 @@ impl Growth<'_> {
         let goal = next.and_then(|n| n.ends(problem)).map_or(problem.home, |e| e.0);
         let price = |node: NodeId| {
             let (known, item) = (problem.nodes.get(node as usize)?, problem.items.get(item as usize)?);
-            let way = travel(problem, self.air, self.head, node, known.entry);
+            let way = begin(problem, self.air, self.head, (node, known.entry), |i| self.is_cut(i)).1;
             Some((node, way + item.extra(node, known.along) + self.air.seconds(known.exit, goal)))
         };
-        let allowed = |n: &NodeId| problem.starts.kerf(*n).is_none_or(|k| self.is_cut(k));
-        let ways = nodes.into_iter().flat_map(|i| i.nodes.clone()).filter(allowed).filter_map(price);
+        let ways = nodes.into_iter().flat_map(|i| i.nodes.clone()).filter_map(price);
         let best = ways.min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
         let stop = best.map_or(stop, |(node, _)| Stop::at(problem, node));
         if let Some((_, exit)) = stop.ends(problem) {

@@ -2,8 +2,8 @@
 //! begin on (`Problem::starts`).
 //!
 //! What a move costs depends on what has been cut before it, which a method that prices moves by their ends cannot see. So two
-//! searches take turns: the method itself, for which every move is straight with the head down, nothing is hot, and every kerf is cut (that is never more
-//! than the real cost), and a local search on the exact seconds of the whole sequence (`descent.rs`), which
+//! searches take turns: the method itself, for which every move is straight with the head down, nothing is hot (that is never more
+//! than the real cost), and cuts begin on no kerf but the last one, and a local search on the exact seconds of the whole sequence (`descent.rs`), which
 //! begins where the method's best is and changes order, entries and directions where a move is in the way of a tipped piece, a cut
 //! has to wait, or the kerf it would begin on is cut later. Where cuts begin on kerfs, the method's order is also tried as one that grows from kerf
 //! to kerf (`grown.rs`). Where cuts heat each other, it begins as well at a path that always goes to where it can go on soonest (`soonest`).
@@ -27,7 +27,6 @@ use super::rng::seeded;
 use super::traits::{Search, Solution, Solver, Status, Step, Stop, Telemetry};
 use crate::problem::Problem;
 pub use begin::begun;
-use begin::begun_solution;
 use descent::{Descent, PATIENCE};
 use grown::grown;
 use sequence::Sequence;
@@ -60,11 +59,11 @@ pub fn start<'p>(
     let sequence = Sequence::new(problem, &first.stops);
     let alone = method.is_published();
     let other = problem.cooling().filter(|_| !alone).and_then(|cooling| soonest(problem, cooling));
-    let mut best = begun_solution(problem, &first.stops, sequence.total());
+    let mut best = Solution { cost: sequence.total(), stops: first.stops };
     let mut descent = Descent::new(sequence, seeded(seed.wrapping_add(2)));
     if let Some(other) = other.map(|stops| Sequence::new(problem, &stops)) {
         if other.total() < best.cost {
-            best = begun_solution(problem, &other.stops(), other.total());
+            best = Solution { cost: other.total(), stops: other.stops() };
         }
         descent.begin_at(other);
     }
@@ -91,7 +90,7 @@ pub fn priced(problem: &Problem, solution: Solution) -> Solution {
     if !problem.depends_on_the_past() {
         return solution;
     }
-    begun_solution(problem, &solution.stops, Sequence::new(problem, &solution.stops).total())
+    Solution { cost: Sequence::new(problem, &solution.stops).total(), stops: solution.stops }
 }
 
 /// Whose turn it is, and how many moves of it are left.
@@ -184,7 +183,7 @@ impl Tipped<'_> {
     /// Takes the local search's best over, if it is better.
     fn keep(&mut self) {
         if self.descent.best() < self.best.cost - EPSILON {
-            self.best = begun_solution(self.problem, &self.descent.stops(), self.descent.best());
+            self.best = Solution { stops: self.descent.stops(), cost: self.descent.best() };
             self.best_at = self.done;
         }
     }
@@ -199,14 +198,14 @@ impl Tipped<'_> {
         self.seen = cost;
         let sequence = Sequence::new(self.problem, &found.stops);
         if sequence.total() < self.best.cost - EPSILON {
-            self.best = begun_solution(self.problem, &found.stops, sequence.total());
+            self.best = Solution { stops: found.stops.clone(), cost: sequence.total() };
             self.best_at = self.done;
         }
         // The same in an order that begins on kerfs as far as it can; the better one is descended from.
         let other = grown(self.problem, &found.stops).map(|stops| Sequence::new(self.problem, &stops));
         let other = other.filter(|o| o.total() < sequence.total() && o.is_feasible());
         if let Some(other) = other.as_ref().filter(|o| o.total() < self.best.cost - EPSILON) {
-            self.best = begun_solution(self.problem, &other.stops(), other.total());
+            self.best = Solution { stops: other.stops(), cost: other.total() };
             self.best_at = self.done;
         }
         if !self.alone {
@@ -258,7 +257,7 @@ impl Search for Tipped<'_> {
         let sequence = Sequence::new(self.problem, &other.stops);
         if sequence.total() < self.best.cost - EPSILON {
             self.inner.offer(&Solution::new(self.problem, other.stops.clone()));
-            self.best = begun_solution(self.problem, &other.stops, sequence.total());
+            self.best = Solution { stops: other.stops.clone(), cost: sequence.total() };
             self.best_at = self.done;
             self.descent.begin_at(sequence);
         }

@@ -6,7 +6,7 @@
 //! then those that have been cut by then. Where cuts heat each other, the stops after
 //! the window are looked at as well, until what was changed has cooled (`clock.rs`).
 
-use super::begin::{Head, quickest, travel};
+use super::begin::{Head, begin};
 use super::change::Change;
 use super::clock::{Clock, Window};
 use super::visit::Visit;
@@ -157,15 +157,13 @@ impl<'p> Sequence<'p> {
         }
     }
 
-    /// Seconds of leg `k` as a straight move or a chain, with what the quickest way to begin the cut there saves, if `is_cut` says which
-    /// items have been cut before.
+    /// Seconds of leg `k` with the quickest way to begin the cut there, if `is_cut` says which items have been cut before.
     fn begin(&self, k: usize, is_cut: impl Fn(ItemId) -> bool) -> f64 {
         let Some((from, to)) = self.ends(k) else { return 0.0 };
         let Some(visit) = self.visits.get(k) else { return self.air.seconds(from, to) };
         let left = k.checked_sub(1).and_then(|before| self.visits.get(before)).map(|v| v.stop.node);
         let head = Head { at: from, left };
-        let quickest = quickest(self.problem, &self.air, head, visit.stop.node, is_cut);
-        quickest.map_or_else(|| travel(self.problem, &self.air, head, visit.stop.node, to), |q| q.1)
+        begin(self.problem, &self.air, head, (visit.stop.node, to), is_cut).1
     }
 
     /// Whether an item is cut before the stop at `k`.
@@ -176,8 +174,7 @@ impl<'p> Sequence<'p> {
     /// The positions of the later stops on whose kerfs the stop at `k` might begin.
     pub(super) fn later_kerfs(&self, k: usize) -> Vec<usize> {
         let Some(visit) = self.visits.get(k) else { return Vec::new() };
-        let starts = &self.problem.starts;
-        let kerfs = starts.alike(visit.stop.node).iter().filter_map(|&n| starts.kerf(n));
+        let kerfs = self.problem.starts.of(visit.stop.node).iter().filter_map(|s| s.kerf);
         let mut later: Vec<usize> = kerfs.filter_map(|i| self.position(i)).filter(|&p| p > k).collect();
         later.sort_unstable();
         later.dedup();

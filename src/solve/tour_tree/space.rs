@@ -73,12 +73,6 @@ enum Kind {
     Directed,
 }
 
-/// Whether each place of an item is left at a point of its own: a contour with leads, or ways through a skeleton cut, which are no ways back.
-fn is_directed(problem: &Problem, item: &Item) -> bool {
-    let is_single = |node: NodeId| problem.nodes.get(node as usize).is_some_and(|n| n.twin == node);
-    item.leads.is_some() || PLANS_ALL_LEVERS && item.is_pierce_group() && is_single(item.nodes.start)
-}
-
 impl<'p> Space<'p> {
     pub(super) fn new(problem: &'p Problem) -> Self {
         let n = problem.items.len();
@@ -100,7 +94,7 @@ impl<'p> Space<'p> {
             leave_places: LeavePlaces::new(problem),
             direction_dependent: (0..)
                 .zip(&problem.items)
-                .filter(|(_, i)| i.is_pierce_group() && !is_directed(problem, i))
+                .filter(|(_, i)| i.is_pierce_group())
                 .map(|(id, _)| id)
                 .collect(),
             whole: Vec::with_capacity(n + 1),
@@ -108,7 +102,7 @@ impl<'p> Space<'p> {
             rank: problem.items.iter().map(|i| i.rank).collect(),
             precedence: Precedence::new(problem),
         };
-        let directed = problem.items.iter().any(|i| is_directed(problem, i));
+        let directed = problem.items.iter().any(|i| i.leads.is_some());
         s.travel.symmetric &= !directed;
         let charged = problem.items.iter().any(Item::is_uneven);
         let rings: Vec<_> = problem.items.iter().map(Ring::new).collect();
@@ -137,8 +131,7 @@ impl<'p> Space<'p> {
                         "a place of a table without its node's number"
                     );
                     s.point.extend(nodes.iter().map(|n| n.entry));
-                    let directed = is_directed(problem, item);
-                    if directed {
+                    if item.leads.is_some() {
                         s.left.resize(s.point.len() - nodes.len(), DVec2::ZERO);
                         s.left.extend(nodes.iter().map(|n| n.exit));
                     }
@@ -154,7 +147,7 @@ impl<'p> Space<'p> {
                             .chunks(2)
                             .zip((item.nodes.start..).step_by(2))
                             .all(|(n, id)| matches!(n, [a, b] if a.twin == id + 1 && b.twin == id));
-                    let kind = match (ends, directed) {
+                    let kind = match (ends, item.leads.is_some()) {
                         (_, true) => Kind::Directed,
                         (true, _) => Kind::Open,
                         (false, _) => Kind::Loose,
