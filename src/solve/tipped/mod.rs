@@ -41,6 +41,8 @@ const TURN_BY_ITEM: u64 = 4;
 const HEAD_START: u64 = 200;
 /// The local search makes one in four moves while the method gains in every turn, and one in two otherwise.
 const SHARE: [u64; 2] = [4, 2];
+/// The same where cuts begin on kerfs: the method finds chains better, and the local search needs few moves for what it leaves to pierce.
+const STARTS_SHARE: u64 = 12;
 /// Where heat counts, the method makes one in four moves and the local search the others: the method does not know the cost of heat.
 const HEATED_SHARE: u64 = 4;
 
@@ -130,7 +132,11 @@ impl Tipped<'_> {
             Turn::Method(0) => {
                 let gains = self.take_from_method();
                 let early = gains && self.done < HEAD_START * self.problem.items.len() as u64;
-                let share = if gains { SHARE[0] } else { SHARE[1] };
+                let share = match (self.problem.starts.is_empty(), gains) {
+                    (false, _) => STARTS_SHARE,
+                    (true, true) => SHARE[0],
+                    (true, false) => SHARE[1],
+                };
                 let is_behind = match self.problem.cooling() {
                     Some(_) => (self.done - self.local_done) * HEATED_SHARE > self.done,
                     None => !early && self.local_done * share < self.done,
