@@ -72,6 +72,7 @@ fn scattered(dice: &mut Dice, k: u64) -> Problem {
         zones: None,
         cooling: None,
         links: Links::default(),
+        starts: kerfway::problem::Starts::default(),
     }
 }
 
