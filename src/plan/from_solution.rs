@@ -32,7 +32,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         let Some(node) = problem.nodes.get(stop.node as usize) else { continue };
         let contour = node.item;
         let before = last.replace(stop.node);
-        let begins = starts.get(k).copied().flatten();
+        let begins = starts.get(k).copied().flatten().filter(|_| PLANS_ALL_LEVERS);
         let link = before.and_then(|before| problem.links.between(before, stop.node));
         let link = link.filter(|_| begins.is_none());
         let Some(known) = sheet.contours.get(contour as usize) else { continue };

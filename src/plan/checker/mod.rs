@@ -35,7 +35,7 @@ pub use violation::Violation;
 
 use super::model::{Move, Plan};
 use crate::geometry::Segment;
-use crate::machine::Profile;
+use crate::machine::{PLANS_ALL_LEVERS, Profile};
 use crate::sheet::{Operation, Sheet};
 use fly::Flown;
 use groups::Groups;
@@ -60,7 +60,9 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     follow(&mut visits, &mut groups, (&mut flown, &starts), sheet, machine, plan, &mut found);
     pre_cuts(machine, plan, &mut found);
     visits.finish(|c| groups.holds(c) || flown.holds(c) || starts.hold(c), &mut found);
-    starts.finish(sheet, plan, &mut found);
+    if PLANS_ALL_LEVERS {
+        starts.finish(sheet, plan, &mut found);
+    }
     flown.finish(sheet, machine, plan, &mut found);
     groups.finish(|c| visits.ends(c), &mut found);
     order::check(sheet, machine, &visits, &groups, &mut found);

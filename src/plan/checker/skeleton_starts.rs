@@ -53,12 +53,12 @@ impl SkeletonStarts {
 
     /// Whether a move may cut without piercing.
     pub(super) fn allow(&self, step: usize) -> bool {
-        self.allowed.contains(&step)
+        PLANS_ALL_LEVERS && self.allowed.contains(&step)
     }
 
     /// Whether a contour is followed here.
     pub(super) fn hold(&self, contour: u32) -> bool {
-        self.followed.iter().any(|f| f.0 == contour)
+        PLANS_ALL_LEVERS && self.followed.iter().any(|f| f.0 == contour)
     }
 
     /// Each is cut from end to end.
