@@ -73,13 +73,40 @@ impl Piece {
         if !meets(from, to, &self.bounds.grown(reach)) {
             return false;
         }
-        let nearest = self.edges().map(|edge| between((from, to), edge)).fold(f64::INFINITY, f64::min).sqrt();
+        let (nearest, ends) = self.approach(from, to, reach);
         if nearest >= reach {
             // All outside, or all within, where it begins.
             return false;
         }
-        let ends = self.distance(from).min(self.distance(to));
-        nearest < ends - NEARER || self.runs_over(from, to)
+        let is_nearer = nearest < ends - NEARER && !self.holds(from) && !self.holds(to);
+        is_nearer || self.runs_over(from, to)
+    }
+
+    /// How near a move comes to the outline, and how near its ends are, mm; anything from `reach` on if it keeps that distance,
+    /// and anything farther than the move if its ends are. Edges that are too far away to matter are passed over by their
+    /// corners' places along the move and beside it.
+    fn approach(&self, from: DVec2, to: DVec2, reach: f64) -> (f64, f64) {
+        let length = from.distance(to);
+        let along = (to - from) / length;
+        let seen = |p: DVec2| (along.dot(p - from), along.perp_dot(p - from));
+        let (mut nearest, mut ends) = (f64::INFINITY, f64::INFINITY);
+        let mut far = reach + 2.0 * NEARER;
+        let Some(mut a) = self.outline.last().copied() else { return (nearest, ends) };
+        let mut at_a = seen(a);
+        for &b in &self.outline {
+            let at_b = seen(b);
+            let beside = at_a.1.min(at_b.1) > far || at_a.1.max(at_b.1) < -far;
+            let beyond = at_a.0.min(at_b.0) > length + far || at_a.0.max(at_b.0) < -far;
+            // A move of no length has no direction, and everything is looked at.
+            if !beside && !beyond {
+                let end = to_line(from, a, b).min(to_line(to, a, b));
+                ends = ends.min(end);
+                nearest = nearest.min(end.min(between((from, to), (a, b))));
+                far = far.min(nearest.sqrt() + 2.0 * NEARER);
+            }
+            (a, at_a) = (b, at_b);
+        }
+        (nearest.sqrt(), ends.sqrt())
     }
 
     /// Whether a move runs over the piece between places outside it. Where it begins or ends inside, that stretch is exempt.
@@ -88,6 +115,10 @@ impl Piece {
         let mut cuts: Vec<f64> = Vec::new();
         for (a, b) in self.edges() {
             let edge = b - a;
+            if (a - from).perp_dot(way) * (b - from).perp_dot(way) > 0.0 {
+                // Both corners are on one side.
+                continue;
+            }
             let across = way.perp_dot(edge);
             if across != 0.0 {
                 let (t, u) = ((a - from).perp_dot(edge) / across, (a - from).perp_dot(way) / across);
@@ -97,12 +128,11 @@ impl Piece {
             }
         }
         cuts.sort_unstable_by(f64::total_cmp);
-        let (begins, ends) = (self.is_over(from), self.is_over(to));
         let stops: Vec<f64> = [0.0].into_iter().chain(cuts).chain([1.0]).collect();
         let last = stops.len() - 2;
         stops.windows(2).enumerate().any(|(k, w)| {
-            let exempt = (k == 0 && begins) || (k == last && ends);
-            !exempt && w[1] > w[0] && self.is_over(from + way * (0.5 * (w[0] + w[1])))
+            let exempt = || (k == 0 && self.is_over(from)) || (k == last && self.is_over(to));
+            w[1] > w[0] && self.is_over(from + way * (0.5 * (w[0] + w[1]))) && !exempt()
         })
     }
 
@@ -129,14 +159,14 @@ fn to_line(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     p.distance_squared(a + edge * t)
 }
 
-/// Squared distance between two lines; 0 where they cross.
+/// Squared distance of a line from the ends of another; 0 where they cross.
 fn between((a, b): (DVec2, DVec2), (c, d): (DVec2, DVec2)) -> f64 {
     let sides =
         |p: DVec2, q: DVec2, x: DVec2, y: DVec2| (q - p).perp_dot(x - p) * (q - p).perp_dot(y - p) < 0.0;
     if sides(a, b, c, d) && sides(c, d, a, b) {
         return 0.0;
     }
-    to_line(a, c, d).min(to_line(b, c, d)).min(to_line(c, a, b)).min(to_line(d, a, b))
+    to_line(c, a, b).min(to_line(d, a, b))
 }
 
 /// Whether a line shares a point with a box.
@@ -153,9 +183,41 @@ fn meets(a: DVec2, b: DVec2, area: &Aabb) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use rand::{RngExt, SeedableRng};
+    use rand_xoshiro::Xoshiro256PlusPlus;
 
     fn p(x: f64, y: f64) -> DVec2 {
         DVec2::new(x, y)
+    }
+
+    /// Edges that are far away are passed over, and that changes nothing: random stars and moves, also along their edges.
+    #[test]
+    fn edges_that_are_passed_over_do_not_matter() {
+        let mut rng = Xoshiro256PlusPlus::seed_from_u64(11);
+        let mut place = |size: f64| p(size * rng.random::<f64>(), size * rng.random::<f64>());
+        let (mut crossed, mut clear) = (0, 0);
+        for _ in 0..300 {
+            let mut star = |k: u32| p(50.0, 50.0) + math::unit(f64::from(k) * 0.3) * (5.0 + place(30.0).x);
+            let piece = Piece::new(vec![0], (0..21).map(&mut star).collect());
+            for k in 0..40 {
+                let corner = piece.outline[k % 21];
+                let (from, to) = match k % 3 {
+                    0 => (place(100.0), place(100.0)),
+                    1 => (corner, place(100.0)),
+                    _ => (corner, piece.outline[(k * 7 + 1) % 21]),
+                };
+                let to_move = |a: DVec2, b: DVec2| {
+                    to_line(from, a, b).min(to_line(to, a, b)).min(between((from, to), (a, b)))
+                };
+                let nearest = piece.edges().map(|(a, b)| to_move(a, b)).fold(f64::INFINITY, f64::min).sqrt();
+                let ends = piece.distance(from).min(piece.distance(to));
+                let expected =
+                    nearest < 5.0 && (nearest < ends - NEARER || piece.runs_over(from, to)) && from != to;
+                assert_eq!(piece.is_crossed(from, to, 5.0), expected, "{from} to {to}");
+                if expected { crossed += 1 } else { clear += 1 }
+            }
+        }
+        assert!(crossed > 2000 && clear > 2000, "{crossed} crossed, {clear} clear");
     }
 
     /// A square of 20 mm, and a reach of 5 mm.
