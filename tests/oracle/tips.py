@@ -5,8 +5,8 @@
 
 writes `tests/fixtures/tips.json`: for each plan the hash of its moves, the contours whose pieces may tip, and the moves with the head down that
 cross such a piece while it is free. `tests/it/tips/replay.rs` then checks that Kerfway still makes these plans. A piece is the area within a
-closed contour that is cut, as the cuts of the plan run around it; it is free from the last of these cuts on, and held if the plan leaves a
-micro-joint on it. A move with the head down crosses a piece where it runs over it, but for a stretch at an end that begins over it, or where it
+closed contour that is cut, as the cuts of the plan run around it; it is free from the last of these cuts on, with those of neighbours that cut
+sides of it, and held if the plan leaves a micro-joint on it. A move with the head down crosses a piece where it runs over it, but for a stretch at an end that begins over it, or where it
 comes nearer to it than nozzle and margin allow and nearer than at both of its ends.
 
 `surely` are the moves that cross by more than a tenth of a millimetre, `maybe` those that cross but for as much.
@@ -24,6 +24,8 @@ from judge import depth_of, elements, judge, polygon
 
 # mm: deviation of chords; what decides between surely and maybe; sizes that are the same, as chords make circles smaller.
 CHORD, SLACK, SAME = 0.002, 0.1, 0.01
+# mm: lines that are nearer are one.
+ONE_LINE = 0.1
 
 
 def extents(shape):
@@ -73,8 +75,15 @@ def pieces(plan):
         # What is cut there and back along one line bounds nothing, and is an obstacle all the same.
         shape = polygon(corners) if len(corners) > 2 else shapely.LineString(corners)
         shapes.setdefault(key, [shape, depth_of(plan, contour) % 2 == 1, []])[2].append(k)
+    lines = {k: shapely.LineString([q for e in chain for q in e.points()]) for k, chain in chains.items()}
+    last_passes = {c["id"] for c in plan["contours"] if c["operation"] == "cut" and "next_pass" not in c}
     for shape, is_hole, contours in shapes.values():
         if not held.intersection(contours) and tips_up(shape, tips, is_hole):
+            # What its own cuts leave of its outline is cut by others.
+            left = shape.boundary.difference(shapely.union_all([lines[k] for k in contours]).buffer(ONE_LINE))
+            others = [k for k in sorted(last_passes.intersection(lines).difference(contours)) if lines[k].distance(left) < ONE_LINE]
+            others = [k for k in others if left.intersection(lines[k].buffer(ONE_LINE)).length > 2 * ONE_LINE]
+            contours = contours + others
             found.append((contours, shape, max(last[k] for k in contours)))
     return found
 

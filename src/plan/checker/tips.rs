@@ -13,6 +13,8 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 /// A move with the head down must not be this deep over a piece, mm.
 const DEPTH: f64 = 0.1;
+/// A move begins over a piece that it is this deep over, mm: on an outline it may be inside by rounding.
+const BEGINS: f64 = 0.02;
 /// What is nearer by less than this is not nearer, mm: plans are made with arcs as chords, which are up to 0.01 mm off.
 const NEARER: f64 = 0.05;
 /// How much farther from a piece a move may be that is said to cross it, mm.
@@ -20,6 +22,8 @@ const SLACK: f64 = 0.2;
 /// Distance between the places along a move, mm, and their largest number.
 const STEP: f64 = 0.25;
 const MOST: f64 = 2000.0;
+/// Sides nearer than this are shared, mm.
+const ONE_LINE: f64 = 0.11;
 /// Half of what the sizes of a piece may be off, mm.
 const SIZE_SLACK: f64 = 5e-7;
 
@@ -144,7 +148,8 @@ fn pieces<'s>(sheet: &'s Sheet, tips: &Tips, plan: &Plan) -> Vec<Piece<'s>> {
             Some(_) => (0..).take(sheet.contours.len()).filter(same).collect(),
             None => vec![contour],
         };
-        let free_from = own.iter().map(|c| last.get(c).copied()).max().flatten();
+        let others = if known.rest_of.is_some() { shared(sheet, outline, &own) } else { Vec::new() };
+        let free_from = own.iter().chain(&others).map(|c| last.get(c).copied()).max().flatten();
         let Some(free_from) = free_from.filter(|_| cuts && !own.iter().any(|c| held.contains(c))) else {
             continue;
         };
@@ -154,6 +159,27 @@ fn pieces<'s>(sheet: &'s Sheet, tips: &Tips, plan: &Plan) -> Vec<Piece<'s>> {
         }
     }
     pieces
+}
+
+/// The contours of others that cut sides of an outline: some of their places lie on it where none of its own cuts does.
+fn shared(sheet: &Sheet, outline: &Path, own: &[u32]) -> Vec<u32> {
+    let is_on = |path: &Path, p: DVec2| path.nearest(p).is_some_and(|(_, on)| on.distance(p) < ONE_LINE);
+    let by_own =
+        |p: DVec2| own.iter().filter_map(|&c| sheet.contours.get(c as usize)).any(|c| is_on(&c.path, p));
+    let area = outline.bounds().grown(ONE_LINE);
+    let is_shared = |s: &Segment| {
+        let count = (s.length() / STEP).ceil().clamp(1.0, MOST);
+        let mut places = std::iter::successors(Some(0.5), |k| Some(k + 1.0)).take_while(|k| *k < count);
+        s.bounds().overlaps(&area)
+            && places.any(|k| {
+                let p = s.at(k / count);
+                area.contains(p) && is_on(outline, p) && !by_own(p)
+            })
+    };
+    let cuts = (0..)
+        .zip(&sheet.contours)
+        .filter(|(id, c)| c.operation == Operation::Cut && c.next_pass.is_none() && !own.contains(id));
+    cuts.filter(|(_, c)| c.path.segments.iter().any(is_shared)).map(|(id, _)| id).collect()
 }
 
 /// Whether a piece of this outline may tip: not one that drops, and not one that lies on several slats. What is as large as a
@@ -211,7 +237,8 @@ fn crosses(line: &Segment, outline: &Path, reach: f64, depth: f64, nearer: f64) 
     if nearest > 0.0 && !inside(line.start()) {
         return false;
     }
-    let over = |p: DVec2| from_outline(p) > depth && inside(p);
+    // Where it begins or ends over the piece, the stretch within the outline is exempt.
+    let begins = |p: DVec2| from_outline(p) > BEGINS && inside(p);
     let count = (line.length() / STEP).ceil().clamp(2.0, MOST);
     let mut k = 0.0;
     let mut places = Vec::new();
@@ -219,8 +246,9 @@ fn crosses(line: &Segment, outline: &Path, reach: f64, depth: f64, nearer: f64) 
         places.push(line.at(k / count));
         k += 1.0;
     }
-    let over: Vec<bool> = places.into_iter().map(over).collect();
-    let first = over.iter().position(|o| !o).unwrap_or(over.len());
-    let last = over.iter().rposition(|o| !o).unwrap_or(0);
-    over.get(first..last).is_some_and(|rest| rest.contains(&true))
+    let outside = |p: &DVec2| !inside(*p);
+    let first = if begins(line.start()) { places.iter().position(outside) } else { Some(0) };
+    let last = if begins(line.end()) { places.iter().rposition(outside) } else { Some(places.len()) };
+    let Some((first, last)) = first.zip(last) else { return false };
+    places.get(first..last).is_some_and(|rest| rest.iter().any(|&p| from_outline(p) > depth && inside(p)))
 }

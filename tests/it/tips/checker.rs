@@ -3,9 +3,12 @@
 use super::{all_tip, ignored, tipping};
 use crate::testkit::exact::planned;
 use crate::testkit::sheets::{Builder, nested_sheet, p, rectangle};
+use kerfway::geometry::DVec2;
+use kerfway::job::problem_of;
 use kerfway::machine::{Levers, Profile};
 use kerfway::plan::{self, Move, Plan, Violation, Way};
 use kerfway::sheet::Sheet;
+use kerfway::solve::{Solution, Stop};
 
 /// The violations other than sums.
 fn found(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Vec<Violation> {
@@ -91,4 +94,27 @@ fn plans_of_nested_sheets_pass() {
             assert_eq!(plan::check(&sheet, &machine, &plan), Ok(()), "{seed} {lift}");
         }
     }
+}
+
+/// The checker took a move that begins 0.07 mm inside a piece for one that begins beside it and goes over it.
+#[test]
+fn a_move_may_begin_a_little_inside_a_tipped_piece() {
+    let mut b = Builder::new();
+    b.cut(rectangle(p(100.0, 40.0), p(40.0, 40.0)), None);
+    // Its left side is 0.07 mm inside the first square.
+    b.cut(rectangle(p(139.93, 50.0), p(20.0, 20.0)), None);
+    b.cut(rectangle(p(20.0, 50.0), p(20.0, 20.0)), None);
+    let machine = tipping(0.1, all_tip());
+    let problem = problem_of(&b.sheet, &machine);
+    let node_at = |item: usize, place: DVec2| {
+        let known = |n: &u32| problem.nodes[*n as usize].entry.distance(place) < 1e-9;
+        problem.items[item].nodes.clone().find(known).unwrap()
+    };
+    let nodes = [problem.items[0].nodes.start, node_at(1, p(139.93, 50.0)), node_at(2, p(40.0, 50.0))];
+    let stops = nodes.map(|n| Stop::at(&problem, n)).to_vec();
+    let plan = plan::from_solution(&b.sheet, &problem, &Solution::new(&problem, stops));
+    let over =
+        |m: &&Move| matches!(m, Move::Air { to, way: Way::Plain } if to.distance(p(40.0, 50.0)) < 1e-9);
+    assert!(plan.moves.iter().any(|m| over(&m)), "{:?}", plan.moves);
+    assert_eq!(found(&b.sheet, &machine, &plan), []);
 }

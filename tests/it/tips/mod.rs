@@ -6,6 +6,7 @@ mod fly;
 mod pieces;
 mod replay;
 mod search;
+mod shared;
 
 use crate::testkit::sheets::machine;
 use kerfway::machine::{Levers, Lift, Profile, RiskyMoves, Tips};
