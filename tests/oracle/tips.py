@@ -83,8 +83,7 @@ def pieces(plan):
             left = shape.boundary.difference(shapely.union_all([lines[k] for k in contours]).buffer(ONE_LINE))
             others = [k for k in sorted(last_passes.intersection(lines).difference(contours)) if lines[k].distance(left) < ONE_LINE]
             others = [k for k in others if left.intersection(lines[k].buffer(ONE_LINE)).length > 2 * ONE_LINE]
-            contours = contours + others
-            found.append((contours, shape, max(last[k] for k in contours)))
+            found.append((contours, shape, max(last[k] for k in contours + others)))
     return found
 
 

@@ -57,7 +57,14 @@ fn plans_are_those_that_shapely_replayed() {
             let Some(plan) = nearest_next(&name, bytes.clone(), machine.clone(), options) else { continue };
             let job = Job::load(bytes.clone(), &name, &LoadOptions::default()).unwrap();
             let zones = problem_of(job.sheet(), &machine).zones.unwrap();
-            let mut own: Vec<u32> = zones.pieces().iter().flat_map(|p| p.cut_by.clone()).collect();
+            // Without those of neighbours that cut sides of it: Shapely finds these for itself.
+            let shape = |c: &u32| job.sheet().contours[*c as usize].rest_of;
+            let is_own =
+                |c: &u32, first: &u32| c == first || shape(c).is_some_and(|s| shape(first) == Some(s));
+            let of = |cut_by: &[u32]| -> Vec<u32> {
+                cut_by.iter().filter(|&c| is_own(c, &cut_by[0])).copied().collect()
+            };
+            let mut own: Vec<u32> = zones.pieces().iter().flat_map(|p| of(&p.cut_by)).collect();
             own.sort_unstable();
             tips.insert(name.clone(), own);
             plans.insert(name, plan);
