@@ -26,8 +26,8 @@ import { drawn } from './solve/grids.mjs';
 const HERE = join(ROOT, 'benches', 'solve');
 const NATIVE = join(HERE, 'target', 'release', 'whole_job');
 const JOINT = join(HERE, 'target', 'release', 'joint');
-/** Number of seeded nests: contours overlap in the next one, whose plan the checker refuses. */
-const NESTS = 6;
+/** Number of seeded nests. */
+const NESTS = 20;
 /** Cuts through waste of any length: the search takes those that are quicker than what they stand for. */
 const CHAINS = { levers: { chains: { reach: 100 } } };
 /** The same, also from elsewhere on the kerf of the last contour. */

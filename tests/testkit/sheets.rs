@@ -160,12 +160,22 @@ impl Dice {
 /// A nested sheet: parts in rows, with holes, slots, marks, open cuts, and parts with holes in large holes. About
 /// `contours` contours, in an order as mixed as that of real files.
 pub fn nested_sheet(contours: usize, seed: u64) -> Sheet {
+    nest(contours, seed, false)
+}
+
+/// The same with gaps between all contours, some of which overlap there.
+pub fn nested_sheet_with_gaps(contours: usize, seed: u64) -> Sheet {
+    nest(contours, seed, true)
+}
+
+fn nest(contours: usize, seed: u64, gaps: bool) -> Sheet {
+    let width = if gaps { 80.0 } else { 60.0 };
     let mut dice = Dice::new(seed);
     let mut b = Builder::new();
     let columns = u32::try_from(contours / 5).unwrap().isqrt().max(1);
     let mut cell = 0;
     while b.sheet.contours.len() < contours {
-        let at = p(f64::from(cell % columns) * 60.0, f64::from(cell / columns) * 45.0);
+        let at = p(f64::from(cell % columns) * width, f64::from(cell / columns) * 45.0);
         cell += 1;
         let size = p(dice.between(30.0, 55.0), dice.between(25.0, 40.0));
         let jitter = p(dice.between(0.0, 4.0), dice.between(0.0, 4.0));
@@ -173,10 +183,16 @@ pub fn nested_sheet(contours: usize, seed: u64) -> Sheet {
         match dice.below(4) {
             0 => {
                 let outer = b.cut(rectangle(corner, size), None);
+                let mut holes: Vec<(DVec2, f64)> = Vec::new();
                 for _ in 0..1 + dice.below(6) {
                     let where_to =
                         corner + p(dice.between(4.0, size.x - 4.0), dice.between(4.0, size.y - 4.0));
-                    b.cut(circle(where_to, dice.between(0.5, 1.5)), Some(outer));
+                    let radius = dice.between(0.5, 1.5);
+                    let is_clear = |&(other, r): &(DVec2, f64)| other.distance(where_to) > r + radius + 0.5;
+                    if !gaps || holes.iter().all(is_clear) {
+                        holes.push((where_to, radius));
+                        b.cut(circle(where_to, radius), Some(outer));
+                    }
                 }
                 b.mark(line(corner + p(3.0, 1.0), corner + p(20.0, 1.5)), Some(outer));
             }

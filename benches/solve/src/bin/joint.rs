@@ -29,6 +29,8 @@ use std::process::ExitCode;
 const NEST: usize = 60;
 /// Moves between two readings of the clock.
 const SLICE: u64 = 500;
+/// Seconds of processor time for which one of two searches works before the other does.
+const TURN: f64 = 0.02;
 
 fn main() -> ExitCode {
     ended(run())
@@ -58,24 +60,32 @@ fn run() -> Result<(), String> {
 fn sheet(name: &str) -> Result<Sheet, String> {
     if let Some(seed) = name.strip_prefix("nest:") {
         let seed = seed.parse().map_err(|_| format!("{name} needs a number."))?;
-        return Ok(leads::oriented(sheets::nested_sheet(NEST, seed)));
+        return Ok(leads::oriented(sheets::nested_sheet_with_gaps(NEST, seed)));
     }
     let bytes = std::fs::read(name).map_err(|e| format!("{name}: {e}"))?;
     let job = Job::load(bytes, name, &LoadOptions::default()).map_err(|e| e.to_string())?;
     Ok(job.sheet().clone())
 }
 
-/// The best path after some seconds of processor time, and the number of moves.
-fn searched(problem: &Problem, seconds: f64, seed: u64) -> Result<(Solution, u64), String> {
+/// The best paths of two problems after some seconds of processor time each, and the numbers of moves. The searches take turns, so
+/// that what else the machine does slows both.
+fn searched(problems: [&Problem; 2], seconds: f64, seed: u64) -> Result<[(Solution, u64); 2], String> {
     let method = solve::method("tour-tree").ok_or("There is no method tour-tree.")?;
-    let clock = ThreadTime::now();
-    let mut search = solve::start(method, problem, seed, None);
-    while clock.elapsed().as_secs_f64() < seconds {
-        if search.step(SLICE).status == Status::Exhausted {
-            break;
+    let mut searches = problems.map(|problem| {
+        let clock = ThreadTime::now();
+        let search = solve::start(method, problem, seed, None);
+        (search, clock.elapsed().as_secs_f64(), Status::Running)
+    });
+    loop {
+        let open = searches.iter_mut().filter(|s| s.1 < seconds && s.2 == Status::Running);
+        let Some((search, spent, status)) = open.min_by(|a, b| a.1.total_cmp(&b.1)) else { break };
+        let (clock, before, until) = (ThreadTime::now(), *spent, (*spent + TURN).min(seconds));
+        while *spent < until && *status == Status::Running {
+            *status = search.step(SLICE).status;
+            *spent = before + clock.elapsed().as_secs_f64();
         }
     }
-    Ok((search.best().clone(), search.telemetry().moves))
+    Ok(searches.map(|(search, ..)| (search.best().clone(), search.telemetry().moves)))
 }
 
 /// Seconds of the whole job by a path, after its plan passed the checker.
@@ -93,8 +103,7 @@ fn leads_row(name: &str, sheet: &Sheet, seconds: f64, seed: u64) -> Result<serde
     let machine = leads::with_leads(thin()?, leads::leads(LeadKind::Arc, 0.5, 0.2));
     let with = problem_of(sheet, &machine);
     let without = problem_of(sheet, &Profile { leads: None, ..machine });
-    let (joint, moves) = searched(&with, seconds, seed)?;
-    let (path, plain) = searched(&without, seconds, seed)?;
+    let [(joint, moves), (path, plain)] = searched([&with, &without], seconds, seed)?;
     let total = seconds_of(sheet, &with, &joint)?;
     let afterwards = total + leads::attached(&with, &without, &path) - joint.cost;
     Ok(json!({
@@ -111,8 +120,7 @@ fn tips_row(name: &str, sheet: &Sheet, seconds: f64, seed: u64) -> Result<serde_
     let avoiding = problem_of(sheet, &machine(levers(lift, Some(Tips::default()))));
     let lifting = problem_of(sheet, &machine(levers(lift, None)));
     let unknowing = problem_of(sheet, &thin);
-    let (joint, _) = searched(&avoiding, seconds, seed)?;
-    let (path, _) = searched(&unknowing, seconds, seed)?;
+    let [(joint, _), (path, _)] = searched([&avoiding, &unknowing], seconds, seed)?;
     Ok(json!({
         "name": name, "table": "tips", "seed": seed, "contours": sheet.contours.len(), "joint": seconds_of(sheet, &avoiding, &joint)?,
         "afterwards": seconds_of(sheet, &avoiding, &path)?, "lifted": seconds_of(sheet, &lifting, &path)?,
