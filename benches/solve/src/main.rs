@@ -88,7 +88,7 @@ fn bench(source: &Source, options: &Options) -> Result<(), String> {
                 "instance": source.name, "items": source.problem.items.len(), "nodes": source.problem.nodes.len(),
                 "known": source.known, "seed": seed, "value": run.value, "gap": gap(source, &run),
                 "seconds": run.seconds, "found": run.found, "moves": run.moves, "reached": run.reached,
-                "trace": run.trace,
+                "trace": run.trace, "memory": peak(),
             });
             println!("{row}");
         }
@@ -168,6 +168,13 @@ impl Clock {
 fn processor() -> f64 {
     let text = std::fs::read_to_string("/proc/self/schedstat").unwrap_or_default();
     text.split(' ').next().and_then(|ns| ns.parse::<f64>().ok()).map_or(f64::NAN, |ns| ns / 1e9)
+}
+
+/// The most memory that this program has held so far, in bytes, as Linux reports it; `None` on other systems.
+fn peak() -> Option<f64> {
+    let text = std::fs::read_to_string("/proc/self/status").ok()?;
+    let row = text.lines().find_map(|l| l.strip_prefix("VmHWM:"))?;
+    row.trim().strip_suffix(" kB")?.parse::<f64>().ok().map(|kb| 1024.0 * kb)
 }
 
 fn gap(source: &Source, run: &Run) -> Option<f64> {
