@@ -26,13 +26,8 @@ import { generated } from '../benchmark/generate.mjs';
 import { byHand, drawn, PATTERNS, SIDES } from './solve/grids.mjs';
 import { generalisedFrom } from './solve/clusters.mjs';
 import { MARKS as HOLE_MARKS } from './solve/holes.mjs';
+import { at, baseline, BOUND, HERE, inWasm, NATIVE, natively, off, percent, proven, PYTHON } from './solve/runs.mjs';
 import { partial, plates } from './solve/stops.mjs';
-
-const HERE = join(ROOT, 'benches', 'solve');
-const NATIVE = join(HERE, 'target', 'release', 'kerfway-bench-solve');
-const BOUND = join(HERE, 'target', 'release', 'bound');
-const BASELINES = join(HERE, 'baselines.py');
-const PYTHON = process.env.KERFWAY_PYTHON ?? 'python3';
 
 /** Seconds after which values are printed. */
 const MARKS = [1, 10, 30, 60];
@@ -90,35 +85,6 @@ function build() {
   run('wasm-pack', args, { env: { ...ENV, CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS: LEAN } });
 }
 
-/** Runs every seed natively. Returns the instances of a file, each with its runs. */
-function natively(file, { seconds, seeds, cpu = false }, ...more) {
-  const args = [file, '--seconds', String(seconds), '--seeds', String(seeds), '--json', ...(cpu ? ['--cpu'] : []), ...more];
-  const all = rows(NATIVE, args);
-  return [...new Set(all.map((row) => row.instance))].map((name, index) => {
-    const runs = all.filter((row) => row.instance === name);
-    return { name, index, known: runs[0].known, items: runs[0].items, runs };
-  });
-}
-
-/** Runs one seed in wasm. */
-function inWasm(file, { index, known }, seed, { seconds, cpu = false }, moves = Infinity) {
-  const numbers = [index, seed, seconds, moves, known ?? NaN].map(String);
-  return rows(process.execPath, [join(HERE, 'wasm.mjs'), file, ...numbers, ...(cpu ? ['cpu'] : [])])[0];
-}
-
-/** The best value of a run after some seconds. */
-function at(run, seconds) {
-  return run.trace.findLast(([s]) => s <= seconds)?.[1] ?? run.trace[0][1];
-}
-
-/** The lower bound that is proven for each instance of a file within some seconds, natively. */
-function proven(file, seconds) {
-  return new Map(rows(BOUND, [file, '--seconds', String(seconds)]).map((row) => [row.instance, row.bound]));
-}
-
-/** How far a value is above the proven bound. */
-const off = (value, bound) => (bound > 0 ? `${((100 * Math.max(0, value - bound)) / bound).toFixed(2)} %` : 'none');
-const percent = (value, known) => (known === null ? '' : `${((100 * (value - known)) / known).toFixed(3)} %`);
 /** The sheets whose names contain `only`: number of contours and file. */
 const sheetFiles = ({ instances, only = '' }) =>
   SHEETS.filter((n) => `sheet_${n}.dxf`.includes(only)).map((n) => [n, instances.file(`sheets/sheet_${n}.dxf`)]);
@@ -352,17 +318,6 @@ function large({ seconds, seeds, only, cpu, tsplib }) {
   });
   const columns = ['', 'sets', 'first tour after', 'first tour', ...marks.map((m) => `after ${m} s`), 'best', 'best known', 'LKH by Noon and Bean', 'memory'];
   table(`GTSPLIB with ${LARGE} sets and more, natively, one thread: length of the tour, median of ${seeds} seeds`, columns, lines);
-}
-
-/** The result of another solver; `undefined` if it cannot solve the instance (two of them need a set of one node to start from). */
-function baseline(file, solver, seconds) {
-  try {
-    return rows(PYTHON, [BASELINES, file, '--seconds', String(seconds), '--solver', solver])[0];
-  } catch (e) {
-    if (!(e instanceof Stop)) throw e;
-    console.log(`bench: ${solver} on ${basename(file)}: ${e.message.trim().split('\n').at(-1)}`);
-    return undefined;
-  }
 }
 
 /** Compares the time of a move in wasm and natively, in alternating runs, on sheets of growing size. */
