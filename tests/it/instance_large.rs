@@ -63,6 +63,21 @@ impl Towns {
     }
 }
 
+/// The local search once took the rounding of such lengths for gains, for ever.
+#[test]
+fn a_search_over_coordinates_of_hundreds_of_millions_ends_and_finds_what_it_finds_over_small_ones() {
+    // The small ones are those of the large ones that the search works on.
+    let [near, far] = [1 << 5, 1 << 13].map(|longer: i32| {
+        let towns = towns(5000, 31);
+        let towns = Towns { at: towns.at.iter().map(|p| p.map(|x| x * longer)).collect(), ..towns };
+        let mut solving = Solving::start(towns.file("EUC_2D").as_bytes(), 1).unwrap();
+        solving.step(1_000_000);
+        (solving.tour(), solving.length().unwrap() / f64::from(longer))
+    });
+    assert_eq!(near.0, far.0);
+    assert!((near.1 / far.1 - 1.0).abs() < 1e-4, "{} and {}", near.1, far.1);
+}
+
 #[test]
 fn a_tour_of_five_thousand_nodes_visits_every_set_once_and_is_measured_by_the_file() {
     let towns = towns(5000, 31);

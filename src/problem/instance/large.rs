@@ -1,10 +1,12 @@
 //! Instances in the plane with more nodes than a table of costs may have.
 //!
 //! They become problems of points whose cost of travel is the length itself, so that neighbours are found by a grid and no cost
-//! is stored. Two things differ from the instance:
+//! is stored. Three things differ from the instance:
 //!
 //! - TSPLIB rounds every distance to a whole number, the search does not. Lengths of tours are computed with the rounding
 //!   ([`super::check`]). Over many legs the rounding cancels out.
+//! - Where coordinates are larger than [`WIDE`], the search works on them divided by a power of two, which rounds nothing: its limits,
+//!   such as the least gain, are meant for lengths of sheets, and the rounding of longer ones would pass for gains.
 //! - A path of points begins at a point. So the first node of the set at which the cycle starts is home. When a tour is asked for,
 //!   the best node of that set takes its place ([`super::Instance::tour`]).
 
@@ -16,6 +18,9 @@ use super::sets::Sets;
 use crate::machine;
 use crate::problem::{Groups, Item, Links, Node, NodeId, Problem, Starts};
 use glam::DVec2;
+
+/// Largest coordinate that the search is given: above those of TSPLIB, so that its instances are searched as they are.
+const WIDE: f64 = 4_194_304.0;
 
 /// A large instance. The nodes of the start are the last of its numbers and no nodes of the problem.
 pub(super) fn instance(file: &File, nodes: usize, mut sets: Sets) -> Result<Instance, InstanceError> {
@@ -31,7 +36,12 @@ pub(super) fn instance(file: &File, nodes: usize, mut sets: Sets) -> Result<Inst
     let plane = costs::plane(file, nodes)?;
     let start = sets.members.remove(sets.start);
     let id = |n: usize| NodeId::try_from(n).unwrap_or(NodeId::MAX);
-    let place = |n: usize| plane.at.get(n).map_or(DVec2::ZERO, |&[x, y]| DVec2::new(x, y));
+    let widest = plane.at.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let mut shrink = 1.0;
+    while widest * shrink > WIDE {
+        shrink *= 0.5;
+    }
+    let place = |n: usize| plane.at.get(n).map_or(DVec2::ZERO, |&[x, y]| DVec2::new(x, y) * shrink);
     let (mut items, mut list) = (Vec::with_capacity(sets.members.len()), Vec::with_capacity(nodes));
     for (members, item) in sets.members.iter().zip(0..) {
         let first = id(list.len());

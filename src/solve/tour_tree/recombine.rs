@@ -89,6 +89,10 @@ fn stretches(tour: &mut Tour, other: &TourSnapshot) -> Vec<Stretch> {
     }
     let may_reverse =
         space.travel.symmetric && !space.precedence.any && !(0..space.home).any(|i| space.two_ends(i));
+    // Each of the sums that a gain is the difference of is rounded by at most a part of the whole sum.
+    let rounding =
+        2.0 * CONFIG.recombination.longest.min(last) as f64 * f64::EPSILON * here[last].max(there[last]);
+    let least_gain = CONFIG.recombination.least_gain.max(rounding);
     let mut found: Vec<Stretch> = Vec::new();
     let mut looked = 0;
     for from in 1..=last {
@@ -126,7 +130,7 @@ fn stretches(tour: &mut Tour, other: &TourSnapshot) -> Vec<Stretch> {
                 }
             }
             let gain = now - inner - then.0;
-            if gain > CONFIG.recombination.least_gain {
+            if gain > least_gain {
                 let touched = found.last().filter(|s| from <= s.to + 2).map(|s| s.to - s.from);
                 if touched.is_some_and(|length| length <= to - from) {
                     break;
