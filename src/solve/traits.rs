@@ -155,6 +155,10 @@ pub trait Search {
     fn step(&mut self, work: u64) -> Step;
     /// The best solution so far.
     fn best(&self) -> &Solution;
+    /// The stops of the best solution, which some searches know sooner than its cost.
+    fn best_stops(&self) -> Vec<Stop> {
+        self.best().stops.clone()
+    }
     /// The numbers about this search.
     fn telemetry(&self) -> Telemetry;
     /// The current inner state of a published method; other methods have none.

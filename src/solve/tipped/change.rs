@@ -1,8 +1,40 @@
 //! Changes of a sequence: a window of stops in another order, or with other entries.
+//!
+//! A proposal says what a change would be without the stops in it, because most proposals are dropped by their ends alone.
 
 use super::visit::Visit;
 use crate::problem::Problem;
 use crate::solve::traits::Stop;
+
+/// A change that may be made.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Proposal {
+    /// The stretches `[low, middle)` and `[middle, high)` exchanged.
+    Exchange { low: usize, middle: usize, high: usize },
+    /// The stretch `[low, high)` in reverse.
+    Reverse { low: usize, high: usize },
+    /// Another entry at a position.
+    Enter { at: usize, visit: Visit },
+}
+
+impl Proposal {
+    /// Number of stops in the window.
+    pub(super) fn width(self) -> usize {
+        match self {
+            Self::Exchange { low, high, .. } | Self::Reverse { low, high } => high.saturating_sub(low),
+            Self::Enter { .. } => 1,
+        }
+    }
+
+    /// The change, if there is one.
+    pub(super) fn change(self, problem: &Problem, visits: &[Visit]) -> Option<Change> {
+        match self {
+            Self::Exchange { low, middle, high } => Change::exchange(visits, low, middle, high),
+            Self::Reverse { low, high } => Change::reverse(problem, visits, low, high),
+            Self::Enter { at, visit } => Some(Change { low: at, visits: vec![visit], rotated: None }),
+        }
+    }
+}
 
 /// The visits that a window has after the change, or had before it once it is made.
 #[derive(Debug, Default)]
@@ -16,7 +48,7 @@ pub(super) struct Change {
 
 impl Change {
     /// The stretches `[low, middle)` and `[middle, high)` of these visits exchanged.
-    pub(super) fn exchange(visits: &[Visit], low: usize, middle: usize, high: usize) -> Option<Self> {
+    fn exchange(visits: &[Visit], low: usize, middle: usize, high: usize) -> Option<Self> {
         if low >= middle || middle >= high {
             return None;
         }
@@ -26,7 +58,7 @@ impl Change {
     }
 
     /// The stretch `[low, high)` of these visits in reverse.
-    pub(super) fn reverse(problem: &Problem, visits: &[Visit], low: usize, high: usize) -> Option<Self> {
+    fn reverse(problem: &Problem, visits: &[Visit], low: usize, high: usize) -> Option<Self> {
         if low + 1 >= high {
             return None;
         }
@@ -39,10 +71,5 @@ impl Change {
         };
         let visits: Option<Vec<Visit>> = visits.get(low..high)?.iter().rev().map(turned).collect();
         Some(Self { low, visits: visits?, rotated: None })
-    }
-
-    /// Another entry of the stop at `k`.
-    pub(super) fn entry(problem: &Problem, k: usize, stop: Stop) -> Option<Self> {
-        Some(Self { low: k, visits: vec![Visit::new(problem, stop)?], rotated: None })
     }
 }

@@ -5,18 +5,19 @@
 //! are exchanged. When the queue is empty, a kick near such a leg exchanges two short stretches; the search repairs what it
 //! can, and the result stays if it is no worse.
 
-use super::change::Change;
+use super::change::{Change, Proposal};
+use super::entries::entries;
+use super::neighbours::Neighbours;
+use super::patches::{Patch, patches};
 use super::sequence::Sequence;
-use crate::geometry::{Aabb, Buckets};
-use crate::problem::Problem;
+use super::visit::Visit;
+use crate::problem::ItemId;
 use crate::solve::epsilon::EPSILON;
 use crate::solve::rng::{Draw, Rng};
 use crate::solve::traits::Stop;
 
 /// Stops near a leg in the sequence that are tried as other ends of changes.
 const NEAR: usize = 8;
-/// Stops near a leg on the sheet that are tried, for each of its ends.
-const NEIGHBOURS: usize = 6;
 /// Longest window of a change: a longer one is priced too slowly for what it gains.
 const LONGEST: usize = 400;
 /// Stops all over the sequence that are tried for a cut that has to wait.
@@ -29,8 +30,6 @@ const FEW: usize = 12;
 const FEW_KICKS: usize = 3;
 /// In sequences up to this length, straight legs are looked at as well.
 const SMALL: usize = 100;
-/// Parts of a contour's length by which an entry slides.
-const SLIDES: [f64; 3] = [32.0, 256.0, 2048.0];
 
 /// Moves of the local search without a gain after which it has ended, once the method has.
 pub(super) const PATIENCE: u64 = 400_000;
@@ -41,12 +40,17 @@ pub(super) struct Descent<'p> {
     /// The best seconds found from where it last began.
     best: f64,
     best_stops: Vec<Stop>,
+    /// The method's stops when the search began there; empty if it began elsewhere.
+    began_as: Vec<Stop>,
+    /// What the search has changed in the last such sequence that it has left.
+    patches: Vec<Patch>,
+    /// By item: the item before it when the leg between them was last looked at in vain.
+    tried: Vec<Option<ItemId>>,
     /// Another sequence to descend from when this one has settled.
     other: Option<Sequence<'p>>,
     queue: Vec<usize>,
     rng: Rng,
-    /// By item: its nearest items.
-    neighbours: Vec<Vec<u32>>,
+    neighbours: Neighbours<'p>,
     /// Changes since the last kick, and the seconds before it; `None` before the first.
     kicked: Option<(Vec<Change>, f64)>,
     settled: bool,
@@ -58,24 +62,21 @@ pub(super) struct Descent<'p> {
 impl<'p> Descent<'p> {
     /// Waits at a sequence for a better one to begin at.
     pub(super) fn new(sequence: Sequence<'p>, rng: Rng) -> Self {
-        let mut neighbours = neighbours(sequence.problem, NEIGHBOURS, |_, _| true);
-        if let Some(cooling) = sequence.problem.cooling() {
-            // What is cut next to an item is best one that is near, but not too near.
-            let cool = self::neighbours(sequence.problem, NEIGHBOURS, |a, b| !cooling.are_near(a, b));
-            neighbours.iter_mut().zip(cool).for_each(|(all, cool)| all.extend(cool));
-        }
         Self {
             best: sequence.total(),
             best_stops: sequence.stops(),
-            sequence,
+            neighbours: Neighbours::new(sequence.problem),
+            began_as: Vec::new(),
+            patches: Vec::new(),
+            tried: vec![None; sequence.problem.items.len()],
             other: None,
             queue: Vec::new(),
             rng,
-            neighbours,
             kicked: None,
             settled: false,
             since_gain: 0,
             longest: LONGEST,
+            sequence,
         }
     }
 
@@ -94,19 +95,66 @@ impl<'p> Descent<'p> {
         self.since_gain
     }
 
+    /// Whether nothing is left to be looked at before the next kick.
+    pub(super) fn is_settled(&self) -> bool {
+        self.queue.is_empty() && self.other.is_none()
+    }
+
     /// Goes on from another sequence.
     pub(super) fn begin_at(&mut self, sequence: Sequence<'p>) {
+        self.leave();
         self.sequence = sequence;
-        self.kicked = None;
         self.settled = false;
         self.since_gain = 0;
         self.look_at_all();
         self.save();
     }
 
-    /// Descends from another sequence as well, when this one has settled, and goes on with the better one.
-    pub(super) fn also_try(&mut self, sequence: Sequence<'p>) {
-        self.other = Some(sequence);
+    /// A sequence of other stops; with what was changed in the last sequence of the method, if only tipped pieces count.
+    pub(super) fn patched(&self, stops: &[Stop]) -> Sequence<'p> {
+        let mut sequence = self.sequence.another(stops);
+        if !sequence.only_tips() {
+            return sequence;
+        }
+        let now = (!self.began_as.is_empty()).then(|| patches(&self.began_as, &self.sequence));
+        for patch in now.as_ref().unwrap_or(&self.patches) {
+            patch.apply(&mut sequence);
+        }
+        sequence
+    }
+
+    /// Descends as well from a sequence that was made of stops of the method, and goes on with the better one: at once if only
+    /// tipped pieces count, otherwise when this one has settled, because a descent takes long.
+    pub(super) fn also_try(&mut self, sequence: Sequence<'p>, stops: Vec<Stop>) {
+        if !sequence.only_tips() {
+            self.other = Some(sequence);
+            return;
+        }
+        self.leave();
+        self.sequence = sequence;
+        self.began_as = stops;
+        self.settled = true;
+        self.look_at_all();
+        // What could not be improved in another sequence is looked at last.
+        let (sequence, tried) = (&self.sequence, &self.tried);
+        self.queue.sort_by_key(|&k| {
+            let leg = sequence.items_of(k);
+            leg.is_none_or(|(from, to)| tried.get(to as usize).is_none_or(|t| *t != Some(from)))
+        });
+        self.save();
+    }
+
+    /// Leaves the sequence: takes back the kick, and keeps what was changed.
+    fn leave(&mut self) {
+        if let Some((mut changes, _)) = self.kicked.take() {
+            while let Some(mut change) = changes.pop() {
+                self.sequence.undo(&mut change);
+            }
+        }
+        if !self.began_as.is_empty() {
+            self.patches = patches(&self.began_as, &self.sequence);
+            self.began_as.clear();
+        }
     }
 
     fn look_at_all(&mut self) {
@@ -116,6 +164,9 @@ impl<'p> Descent<'p> {
         if self.sequence.is_heated() {
             // What is due is looked at first.
             self.queue.sort_by_key(|&k| self.sequence.is_due(k));
+        } else if self.sequence.only_tips() {
+            // The legs that cost most are looked at first.
+            self.queue.sort_by(|&a, &b| self.sequence.surcharge(a).total_cmp(&self.sequence.surcharge(b)));
         }
     }
 
@@ -143,6 +194,10 @@ impl<'p> Descent<'p> {
             self.longest = if waits(k) || k.checked_sub(1).is_some_and(waits) { usize::MAX } else { LONGEST };
             if self.improve(k) {
                 self.queue.push(k);
+            } else if let Some((from, to)) = self.sequence.items_of(k)
+                && let Some(place) = self.tried.get_mut(to as usize)
+            {
+                *place = Some(from);
             }
             self.longest = LONGEST;
         } else if self.settle() {
@@ -184,7 +239,8 @@ impl<'p> Descent<'p> {
     }
 
     fn begin_again(&mut self, stops: &[Stop]) {
-        self.sequence = Sequence::new(self.sequence.problem, stops);
+        self.leave();
+        self.sequence = self.sequence.another(stops);
         self.settled = false;
         self.queue.clear();
     }
@@ -210,12 +266,12 @@ impl<'p> Descent<'p> {
         let (first, second) = (1 + self.rng.below(KICK), 1 + self.rng.below(KICK));
         let low = (at + self.rng.below(KICK)).saturating_sub(KICK + first).min(length - 2);
         let middle = (low + first).min(length - 1);
-        let change = if self.rng.below(4) == 0 {
-            Change::reverse(self.sequence.problem, self.sequence.visits(), low, (low + first + 1).min(length))
+        let proposal = if self.rng.below(4) == 0 {
+            Proposal::Reverse { low, high: (low + first + 1).min(length) }
         } else {
-            Change::exchange(self.sequence.visits(), low, middle, (middle + second).min(length))
+            Proposal::Exchange { low, middle, high: (middle + second).min(length) }
         };
-        self.make(change, f64::NEG_INFINITY);
+        self.make(proposal, f64::NEG_INFINITY);
         true
     }
 
@@ -225,17 +281,23 @@ impl<'p> Descent<'p> {
         let low = self.rng.below(length - 1);
         let middle = low + 1 + self.rng.below(length - 1 - low);
         let high = middle + 1 + self.rng.below(length - middle);
-        self.make(Change::exchange(self.sequence.visits(), low, middle, high), f64::NEG_INFINITY);
+        self.make(Proposal::Exchange { low, middle, high }, f64::NEG_INFINITY);
         let k = self.rng.below(length);
         let Some(nodes) = self.sequence.item(k).map(|i| i.nodes.clone()) else { return };
         let Some(node) = nodes.clone().nth(self.rng.below(nodes.len().max(1))) else { return };
         let stop = Stop::at(self.sequence.problem, node);
-        self.make(Change::entry(self.sequence.problem, k, stop), f64::NEG_INFINITY);
+        if let Some(visit) = Visit::new(self.sequence.problem, stop) {
+            self.make(Proposal::Enter { at: k, visit }, f64::NEG_INFINITY);
+        }
     }
 
     /// Makes a change if it gains more than `gain`, and puts what it touches on the queue.
-    fn make(&mut self, change: Option<Change>, gain: f64) -> bool {
-        let Some(mut change) = change.filter(|c| c.visits.len() <= self.longest) else { return false };
+    fn make(&mut self, proposal: Proposal, gain: f64) -> bool {
+        if proposal.width() > self.longest || !self.sequence.may_gain(proposal, gain) {
+            return false;
+        }
+        let change = proposal.change(self.sequence.problem, self.sequence.visits());
+        let Some(mut change) = change else { return false };
         if !self.sequence.try_change(&mut change, gain) {
             return false;
         }
@@ -261,8 +323,8 @@ impl<'p> Descent<'p> {
         for blocker in self.sequence.blockers(k) {
             for later in k..=(k + NEAR).min(self.sequence.len()) {
                 for stretch in 1..=2 {
-                    let change = Change::exchange(self.sequence.visits(), blocker, blocker + stretch, later);
-                    if self.make(change, EPSILON) {
+                    let (low, middle) = (blocker, blocker + stretch);
+                    if self.make(Proposal::Exchange { low, middle, high: later }, EPSILON) {
                         return true;
                     }
                 }
@@ -271,9 +333,9 @@ impl<'p> Descent<'p> {
         // What it might begin on is cut earlier, or it comes later.
         for later in self.sequence.later_kerfs(k) {
             for stretch in 1..=3 {
-                let visits = self.sequence.visits();
-                let earlier = Change::exchange(visits, k, (later + 1).saturating_sub(stretch), later + 1);
-                let put_off = Change::exchange(visits, (k + 1).saturating_sub(stretch), k + 1, later + 1);
+                let (first, last) = ((later + 1).saturating_sub(stretch), (k + 1).saturating_sub(stretch));
+                let earlier = Proposal::Exchange { low: k, middle: first, high: later + 1 };
+                let put_off = Proposal::Exchange { low: last, middle: k + 1, high: later + 1 };
                 if self.make(earlier, EPSILON) || self.make(put_off, EPSILON) {
                     return true;
                 }
@@ -281,19 +343,15 @@ impl<'p> Descent<'p> {
         }
         for other in self.others(k) {
             let (low, high) = (k.min(other), k.max(other));
-            if self.make(Change::reverse(self.sequence.problem, self.sequence.visits(), low, high), EPSILON) {
+            if self.make(Proposal::Reverse { low, high }, EPSILON) {
                 return true;
             }
             for stretch in 1..=3 {
                 // The stops at the beginning of the window go to its end, or those at its end to its beginning.
-                let to_end = Change::exchange(self.sequence.visits(), low, low + stretch, high);
-                if self.make(to_end, EPSILON) {
-                    return true;
-                }
-                let to_start =
-                    Change::exchange(self.sequence.visits(), low, high.saturating_sub(stretch), high);
-                if self.make(to_start, EPSILON) {
-                    return true;
+                for middle in [low + stretch, high.saturating_sub(stretch)] {
+                    if self.make(Proposal::Exchange { low, middle, high }, EPSILON) {
+                        return true;
+                    }
                 }
             }
         }
@@ -301,12 +359,12 @@ impl<'p> Descent<'p> {
     }
 
     /// Positions near leg `k`, in the sequence and on the sheet.
-    fn others(&self, k: usize) -> Vec<usize> {
+    fn others(&mut self, k: usize) -> Vec<usize> {
         let length = self.sequence.len();
         let mut others: Vec<usize> = (k.saturating_sub(NEAR)..=(k + NEAR).min(length)).collect();
         for end in [k.checked_sub(1), Some(k)].into_iter().flatten() {
             let Some(visit) = self.sequence.visit(end) else { continue };
-            for &item in self.neighbours.get(visit.item as usize).into_iter().flatten() {
+            for &item in self.neighbours.of(visit.item) {
                 others.extend(self.sequence.position(item).into_iter().flat_map(|p| [p, p + 1]));
             }
         }
@@ -320,65 +378,12 @@ impl<'p> Descent<'p> {
         others
     }
 
-    /// Tries other entries of the stop at `k`: its nodes, and along its contour those nearest to the stops around it and a
-    /// little to either side.
+    /// Tries other entries of the stop at `k`.
     fn enter_better(&mut self, k: usize) -> bool {
-        let (Some(item), Some(visit)) = (self.sequence.item(k), self.sequence.visit(k)) else { return false };
-        let (problem, stop) = (self.sequence.problem, visit.stop);
-        let mut stops: Vec<Stop> = item.nodes.clone().map(|node| Stop::at(problem, node)).collect();
-        if let Some(track) = &item.track {
-            let before =
-                k.checked_sub(1).and_then(|b| self.sequence.visit(b)).map_or(problem.home, |v| v.exit);
-            let after = self.sequence.visit(k + 1).map_or(problem.home, |v| v.entry);
-            let length = track.length();
-            let near = [before, after, (before + after) * 0.5].into_iter().filter_map(|p| track.nearest(p));
-            let slides = SLIDES.iter().flat_map(|part| [length / part, -length / part]);
-            let places = near.map(|n| n.0).chain(slides.map(|by| (stop.along + by).rem_euclid(length)));
-            stops.extend(
-                places
-                    .filter(|along| (0.0..=length).contains(along))
-                    .map(|along| Stop::whole(stop.node, along)),
-            );
-        }
         let mut better = false;
-        for entry in stops.into_iter().filter(|s| *s != stop) {
-            better |= self.make(Change::entry(problem, k, entry), EPSILON);
+        for visit in entries(&self.sequence, k) {
+            better |= self.make(Proposal::Enter { at: k, visit }, EPSILON);
         }
         better
     }
-}
-
-/// By item: its `count` nearest items of those that are wanted, by the places of their first nodes.
-fn neighbours(problem: &Problem, count: usize, wanted: impl Fn(u32, u32) -> bool) -> Vec<Vec<u32>> {
-    let place = |item: &crate::problem::Item| problem.nodes.get(item.nodes.start as usize).map(|n| n.entry);
-    let places: Vec<_> = problem.items.iter().map(|i| place(i).filter(|_| !i.nodes.is_empty())).collect();
-    let bounds = places.iter().flatten().fold(Aabb::EMPTY, |b, &p| b.with(p));
-    if bounds.is_empty() {
-        return vec![Vec::new(); places.len()];
-    }
-    let mut grid = Buckets::new(bounds, places.len());
-    for (id, place) in (0..).zip(&places) {
-        if let Some(place) = place {
-            grid.insert(id, *place);
-        }
-    }
-    let nearest = |(id, place): (u32, &Option<_>)| {
-        let Some(place) = *place else { return Vec::new() };
-        let mut found: Vec<(f64, u32)> = Vec::new();
-        for ring in 0..grid.rings(place) {
-            let far = grid.distance_of_ring(ring);
-            if found.len() >= count && found.get(count - 1).is_some_and(|f| f.0 <= far * far) {
-                break;
-            }
-            let here = grid.ring(place, ring).filter(|&other| other != id && wanted(id, other));
-            found.extend(here.filter_map(|other| {
-                let other_place = places.get(other as usize).copied().flatten()?;
-                Some((other_place.distance_squared(place), other))
-            }));
-            found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            found.truncate(count);
-        }
-        found.into_iter().map(|f| f.1).collect()
-    };
-    (0..).zip(&places).map(nearest).collect()
 }

@@ -16,21 +16,26 @@ const MOST_ITEMS: usize = 6;
 const MOST_NODES: usize = 120;
 const MOST_NODES_WITHOUT_ZONES: usize = 300;
 
+/// Whether a problem is small enough.
+pub(super) fn is_small(problem: &Problem) -> bool {
+    let most = if problem.avoided().is_some() { MOST_NODES } else { MOST_NODES_WITHOUT_ZONES };
+    let count = problem.items.iter().filter(|i| !i.nodes.is_empty()).take(MOST_ITEMS + 1).count();
+    (1..=MOST_ITEMS).contains(&count)
+        && problem.nodes.len() <= most
+        && !problem.items.iter().any(Item::may_be_left)
+        && problem.groups.is_empty()
+}
+
 /// The best order of all items and the best node of each, with the number of moves priced; `None` for larger problems.
 pub(super) fn optimum(problem: &Problem) -> Option<(Vec<Stop>, u64)> {
-    let zones = problem.avoided();
-    let most = if zones.is_some() { MOST_NODES } else { MOST_NODES_WITHOUT_ZONES };
-    let items: Vec<ItemId> =
-        (0..).zip(&problem.items).filter(|(_, i)| !i.nodes.is_empty()).map(|(id, _)| id).collect();
-    if items.is_empty()
-        || items.len() > MOST_ITEMS
-        || problem.nodes.len() > most
-        || problem.items.iter().any(Item::may_be_left)
-        || !problem.groups.is_empty()
-    {
+    if !is_small(problem) {
         return None;
     }
-    Sets { problem, zones, items, air: AirTime::new(&problem.machine) }.solve()
+    let visited = (0..).zip(&problem.items).filter(|(_, i)| !i.nodes.is_empty());
+    let items: Vec<ItemId> = visited.map(|(id, _)| id).collect();
+    let air = AirTime::new(&problem.machine);
+    Sets { problem, zones: problem.avoided(), items, air }.solve()
+}
 }
 
 struct Sets<'p> {

@@ -15,8 +15,12 @@ mod begin;
 mod change;
 mod clock;
 mod descent;
+mod entries;
 mod exact;
 mod grown;
+mod neighbours;
+mod pace;
+mod patches;
 mod sequence;
 mod soonest;
 mod visit;
@@ -29,22 +33,10 @@ use crate::problem::Problem;
 pub use begin::begun;
 use descent::{Descent, PATIENCE};
 use grown::grown;
-use sequence::Sequence;
+use pace::{LocalState, Pace};
+use sequence::{Sequence, only_tips};
 use soonest::soonest;
-
-/// Least moves of a turn, and moves of a turn by item. After each turn of the method its best is priced exactly, which takes
-/// about as long as two moves by item.
-const TURN: u64 = 2_000;
-const TURN_BY_ITEM: u64 = 4;
-/// Moves by item before the local search begins, while the method gains in every turn: until then its first descent goes on, and
-/// whatever the local search found would be left behind.
-const HEAD_START: u64 = 200;
-/// The local search makes one in four moves while the method gains in every turn, and one in two otherwise.
-const SHARE: [u64; 2] = [4, 2];
-/// The same where cuts begin on kerfs: the method finds chains better, and the local search needs few moves for what it leaves to pierce.
-const STARTS_SHARE: u64 = 12;
-/// Where heat counts, the method makes one in four moves and the local search the others: the method does not know the cost of heat.
-const HEATED_SHARE: u64 = 4;
+use std::cell::OnceCell;
 
 /// Starts a method; on a machine that avoids tipped pieces or minds heat, with the local search beside it. Published methods run alone.
 pub fn start<'p>(
@@ -69,20 +61,20 @@ pub fn start<'p>(
         }
         descent.begin_at(other);
     }
+    let pace = Pace::new(problem, inner.telemetry().best);
     Box::new(Tipped {
         problem,
         best,
         best_at: 0,
+        not_taken: OnceCell::new(),
         descent,
         alone,
         inner,
         ended: false,
         seen: f64::INFINITY,
-        turn_moves: TURN.max(TURN_BY_ITEM * problem.items.len() as u64),
         turn: Turn::Method(1),
-        local_done: 0,
+        pace,
         granted: 0,
-        done: 0,
         tried_exact: false,
     })
 }
@@ -114,14 +106,13 @@ struct Tipped<'p> {
     descent: Descent<'p>,
     best: Solution,
     best_at: u64,
+    /// What the method has found since the local search last went on from its best, if it is better than `best`; priced when
+    /// a caller asks.
+    not_taken: OnceCell<Option<Solution>>,
     turn: Turn,
-    turn_moves: u64,
-    /// Moves of the local search.
-    local_done: u64,
+    pace: Pace,
     /// Moves granted so far: what one slice does beyond its grant, the next does less.
     granted: u64,
-    /// Moves done so far by both.
-    done: u64,
     tried_exact: bool,
 }
 
@@ -130,44 +121,42 @@ impl Tipped<'_> {
     fn advance(&mut self, most: u64) {
         match self.turn {
             Turn::Method(0) => {
-                let gains = self.take_from_method();
-                let early = gains && self.done < HEAD_START * self.problem.items.len() as u64;
-                let share = match (self.problem.starts.is_empty(), gains) {
-                    (false, _) => STARTS_SHARE,
-                    (true, true) => SHARE[0],
-                    (true, false) => SHARE[1],
-                };
-                let is_behind = match self.problem.cooling() {
-                    Some(_) => (self.done - self.local_done) * HEATED_SHARE > self.done,
-                    None => !early && self.local_done * share < self.done,
-                };
-                let due = self.ended || is_behind;
-                self.turn = if due && !self.alone {
-                    Turn::Local(self.turn_moves)
+                self.pace.saw(self.inner.telemetry().best);
+                if self.ended || self.pace.may_take() {
+                    self.take_from_method();
+                }
+                self.turn = if self.is_due() && !self.alone {
+                    Turn::Local(self.pace.session())
                 } else {
-                    Turn::Method(self.turn_moves)
+                    Turn::Method(self.pace.turn())
                 };
             }
             Turn::Method(_) if self.ended => self.turn = Turn::Method(0),
             Turn::Method(left) => {
                 let step = self.inner.step(left.min(most));
                 self.ended = step.status == Status::Exhausted;
-                self.done += step.done;
+                self.pace.done += step.done;
                 self.turn = Turn::Method(left.saturating_sub(step.done.max(1)));
             }
             Turn::Local(left) => {
                 let priced = self.local();
-                self.done += priced;
-                self.local_done += priced;
+                self.pace.did(priced);
                 self.turn = if left <= priced || priced == 0 {
                     self.descent.save_so_far();
                     self.keep();
-                    Turn::Method(self.turn_moves)
+                    Turn::Method(self.pace.turn())
                 } else {
                     Turn::Local(left - priced)
                 };
             }
         }
+    }
+
+    /// Whether the local search works next.
+    fn is_due(&self) -> bool {
+        let is_small = !self.tried_exact && only_tips(self.problem) && exact::is_small(self.problem);
+        let of = LocalState { settled: self.descent.is_settled(), since_gain: self.descent.since_gain() };
+        self.ended || is_small || self.pace.is_due(&of)
     }
 
     /// A piece of local search. Returns the number of moves priced; 0 if there is nothing to do.
@@ -190,66 +179,80 @@ impl Tipped<'_> {
     fn keep(&mut self) {
         if self.descent.best() < self.best.cost - EPSILON {
             self.best = Solution { stops: self.descent.stops(), cost: self.descent.best() };
-            self.best_at = self.done;
+            self.best_at = self.pace.done;
         }
     }
 
-    /// Lets the local search begin at the method's best, if that is new. Returns whether it is.
-    fn take_from_method(&mut self) -> bool {
-        let found = self.inner.best();
+    /// Lets the local search begin at the method's best, if that is new.
+    fn take_from_method(&mut self) {
         let cost = self.inner.telemetry().best;
-        if cost >= self.seen - EPSILON {
-            return false;
+        let is_new = cost < self.seen - EPSILON;
+        self.pace.took(is_new);
+        if !is_new {
+            return;
         }
         self.seen = cost;
-        let sequence = Sequence::new(self.problem, &found.stops);
+        let stops = self.inner.best_stops();
+        let sequence = self.descent.patched(&stops);
+        self.pace.did(sequence.priced);
         if sequence.total() < self.best.cost - EPSILON {
-            self.best = Solution { stops: found.stops.clone(), cost: sequence.total() };
-            self.best_at = self.done;
+            self.best = Solution { stops: sequence.stops(), cost: sequence.total() };
+            self.best_at = self.pace.done;
         }
         // The same in an order that begins on kerfs as far as it can; the better one is descended from.
-        let other = grown(self.problem, &found.stops).map(|stops| Sequence::new(self.problem, &stops));
+        let other = grown(self.problem, &stops).map(|stops| Sequence::new(self.problem, &stops));
         let other = other.filter(|o| o.total() < sequence.total() && o.is_feasible());
         if let Some(other) = other.as_ref().filter(|o| o.total() < self.best.cost - EPSILON) {
             self.best = Solution { stops: other.stops(), cost: other.total() };
-            self.best_at = self.done;
+            self.best_at = self.pace.done;
         }
         if !self.alone {
-            self.descent.also_try(other.unwrap_or(sequence));
+            self.descent.also_try(other.unwrap_or(sequence), stops);
         }
-        true
+    }
+
+    /// The method's best with what the local search has changed before, if the local search has not gone on from it yet and it
+    /// is better.
+    fn not_taken(&self) -> Option<Solution> {
+        if !only_tips(self.problem) || self.inner.telemetry().best >= self.seen - EPSILON {
+            return None;
+        }
+        let sequence = self.descent.patched(&self.inner.best_stops());
+        let is_better = sequence.total() < self.best.cost - EPSILON;
+        is_better.then(|| Solution { stops: sequence.stops(), cost: sequence.total() })
     }
 }
 
 impl Search for Tipped<'_> {
     fn step(&mut self, work: u64) -> Step {
-        let (cost, before) = (self.best.cost, self.done);
-        let already = self.done.saturating_sub(self.granted);
+        self.not_taken = OnceCell::new();
+        let (cost, before) = (self.best.cost, self.pace.done);
+        let already = self.pace.done.saturating_sub(self.granted);
         self.granted = self.granted.saturating_add(work);
         let idle = |s: &Self| s.ended && (s.alone || s.descent.since_gain() > PATIENCE);
         let mut turns = 0;
         // Where both have nothing left to do, no move is priced.
-        while self.done < self.granted && !idle(self) && turns < 4 {
-            let was = self.done;
-            self.advance(self.granted - self.done);
-            turns = if self.done > was { 0 } else { turns + 1 };
+        while self.pace.done < self.granted && !idle(self) && turns < 4 {
+            let was = self.pace.done;
+            self.advance(self.granted - self.pace.done);
+            turns = if self.pace.done > was { 0 } else { turns + 1 };
         }
-        let ended = self.ended && (idle(self) || turns >= 4) && self.done <= self.granted;
+        let ended = self.ended && (idle(self) || turns >= 4) && self.pace.done <= self.granted;
         let improved = self.best.cost < cost;
         if ended {
             self.take_from_method();
-            let done = (self.done - before + already).min(work);
+            let done = (self.pace.done - before + already).min(work);
             return Step { status: Status::Exhausted, done, improved: self.best.cost < cost };
         }
         Step { status: Status::Running, done: work, improved }
     }
 
     fn best(&self) -> &Solution {
-        &self.best
+        self.not_taken.get_or_init(|| self.not_taken()).as_ref().unwrap_or(&self.best)
     }
 
     fn telemetry(&self) -> Telemetry {
-        Telemetry { moves: self.done, best_at: self.best_at, best: self.best.cost }
+        Telemetry { moves: self.pace.done, best_at: self.best_at, best: self.best.cost }
     }
 
     fn insight(&self) -> Option<Insight> {
@@ -260,11 +263,12 @@ impl Search for Tipped<'_> {
         if !other.stops.iter().all(Stop::is_whole) {
             return;
         }
+        self.not_taken = OnceCell::new();
         let sequence = Sequence::new(self.problem, &other.stops);
         if sequence.total() < self.best.cost - EPSILON {
             self.inner.offer(&Solution::new(self.problem, other.stops.clone()));
             self.best = Solution { stops: other.stops.clone(), cost: sequence.total() };
-            self.best_at = self.done;
+            self.best_at = self.pace.done;
             self.descent.begin_at(sequence);
         }
     }

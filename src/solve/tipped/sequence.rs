@@ -7,7 +7,7 @@
 //! the window are looked at as well, until what was changed has cooled (`clock.rs`).
 
 use super::begin::{Head, begin};
-use super::change::Change;
+use super::change::{Change, Proposal};
 use super::clock::{Clock, Window};
 use super::visit::Visit;
 use crate::geometry::DVec2;
@@ -16,9 +16,18 @@ use crate::problem::{Item, ItemId, Problem};
 use crate::solve::precedence::Precedence;
 use crate::solve::traits::Stop;
 use crate::tipping::{Piece, Zones};
+use std::rc::Rc;
 
 /// The position of items that are not in the sequence.
 const NOWHERE: u32 = u32::MAX;
+
+/// Sums that differ by less may differ by rounding alone, s.
+const ROUNDING: f64 = 1e-9;
+
+/// Whether what has been cut before counts by pieces that may have tipped alone: nothing is hot, and no cut begins on a kerf.
+pub(super) fn only_tips(problem: &Problem) -> bool {
+    problem.cooling().is_none() && problem.starts.is_empty()
+}
 
 /// Stops in order, with the seconds of the legs that lead to them.
 pub(super) struct Sequence<'p> {
@@ -28,10 +37,12 @@ pub(super) struct Sequence<'p> {
     air: AirTime,
     /// When each stop ends, where cuts heat each other.
     clock: Option<Clock<'p>>,
-    precedence: Precedence,
+    precedence: Rc<Precedence>,
     visits: Vec<Visit>,
     /// Seconds of the leg to each visit; the last one leads home.
     legs: Vec<f64>,
+    /// The same, if each were straight.
+    straights: Vec<f64>,
     /// By item: its position.
     position: Vec<u32>,
     total: f64,
@@ -43,7 +54,21 @@ pub(super) struct Sequence<'p> {
 
 impl<'p> Sequence<'p> {
     pub(super) fn new(problem: &'p Problem, stops: &[Stop]) -> Self {
-        let visits: Vec<Visit> = stops.iter().filter_map(|&s| Visit::new(problem, s)).collect();
+        let visits = stops.iter().filter_map(|&s| Visit::new(problem, s)).collect();
+        Self::of(problem, Rc::new(Precedence::new(problem)), visits)
+    }
+
+    /// Another sequence of the same problem. What is entered as in this one is not looked up again.
+    pub(super) fn another(&self, stops: &[Stop]) -> Self {
+        let known = |stop: &Stop| {
+            let item = self.problem.nodes.get(stop.node as usize)?.item;
+            self.visit(self.position(item)?).filter(|v| v.stop == *stop).copied()
+        };
+        let visit = |stop: &Stop| known(stop).or_else(|| Visit::new(self.problem, *stop));
+        Self::of(self.problem, Rc::clone(&self.precedence), stops.iter().filter_map(visit).collect())
+    }
+
+    fn of(problem: &'p Problem, precedence: Rc<Precedence>, visits: Vec<Visit>) -> Self {
         let zones = problem.avoided();
         let air = if zones.is_some() {
             AirTime::head_down(&problem.machine)
@@ -55,8 +80,9 @@ impl<'p> Sequence<'p> {
             zones,
             air,
             clock: problem.cooling().map(Clock::new),
-            precedence: Precedence::new(problem),
+            precedence,
             legs: Vec::new(),
+            straights: Vec::new(),
             position: vec![NOWHERE; problem.items.len()],
             total: 0.0,
             priced: 0,
@@ -64,6 +90,7 @@ impl<'p> Sequence<'p> {
             visits,
         };
         new.place(0, new.visits.len());
+        new.straights = (0..=new.visits.len()).map(|k| new.straight(k)).collect();
         new.legs = (0..=new.visits.len()).map(|k| new.leg(k)).collect();
         new.total = new.legs.iter().sum::<f64>() + new.visits.iter().map(|v| v.extra).sum::<f64>();
         if let Some(clock) = &mut new.clock {
@@ -96,6 +123,11 @@ impl<'p> Sequence<'p> {
         self.problem.items.get(self.visits.get(k)?.item as usize)
     }
 
+    /// The items at both ends of leg `k`, where both are stops.
+    pub(super) fn items_of(&self, k: usize) -> Option<(ItemId, ItemId)> {
+        Some((self.visits.get(k.checked_sub(1)?)?.item, self.visits.get(k)?.item))
+    }
+
     /// The position of an item.
     pub(super) fn position(&self, item: ItemId) -> Option<usize> {
         self.position.get(item as usize).filter(|&&p| p != NOWHERE).map(|&p| p as usize)
@@ -104,6 +136,11 @@ impl<'p> Sequence<'p> {
     /// Whether cuts heat each other.
     pub(super) fn is_heated(&self) -> bool {
         self.clock.is_some()
+    }
+
+    /// Whether what has been cut before counts by pieces that may have tipped alone.
+    pub(super) fn only_tips(&self) -> bool {
+        only_tips(self.problem)
     }
 
     /// Whether nothing has to come after the stop at `k`.
@@ -119,7 +156,7 @@ impl<'p> Sequence<'p> {
     /// Seconds of leg `k` beyond those of a straight move, and what is due after it.
     pub(super) fn surcharge(&self, k: usize) -> f64 {
         let due = self.clock.as_ref().map_or(0.0, |c| c.due(k));
-        self.legs.get(k).map_or(0.0, |leg| leg - self.straight(k)) + due
+        self.legs.get(k).zip(self.straights.get(k)).map_or(0.0, |(leg, straight)| leg - straight) + due
     }
 
     /// The positions of the last cuts that free what is in the way of leg `k`, and of the last cut that is hot after it.
@@ -181,6 +218,14 @@ impl<'p> Sequence<'p> {
         later
     }
 
+    /// Seconds of the straight legs to and from the stop at `k`, with what depends on its entry, if it were this one.
+    pub(super) fn straight_by(&self, k: usize, visit: &Visit) -> f64 {
+        let from = self.ends(k).map_or(self.problem.home, |e| e.0);
+        let to = self.ends(k + 1).map(|e| e.1);
+        let on = to.map_or(0.0, |to| self.air.seconds(visit.exit, to));
+        self.air.seconds(from, visit.entry) + on + visit.extra
+    }
+
     /// Whether a piece is free before leg `k`.
     fn is_free(&self, piece: &Piece, k: usize) -> bool {
         piece.cut_by.iter().all(|&c| self.is_before(c, k))
@@ -194,6 +239,53 @@ impl<'p> Sequence<'p> {
             {
                 *position = u32::try_from(k).unwrap_or(NOWHERE);
             }
+        }
+    }
+
+    /// Whether a proposal may gain more than `gain` seconds, by the legs at the ends of its stretches: those within them take at
+    /// least as long as straight moves, and what they take beyond that now is all that they can save. A proposal that may not
+    /// counts as a move.
+    pub(super) fn may_gain(&mut self, proposal: Proposal, gain: f64) -> bool {
+        let Some((low, high, more)) = self.at_least(proposal) else { return true };
+        let surcharges = self.legs.get(low..=high).into_iter().flatten().sum::<f64>()
+            - self.straights.get(low..=high).into_iter().flatten().sum::<f64>();
+        let due = self.clock.as_ref().map_or(0.0, |c| c.due_near(low, high));
+        let may = more - surcharges - due < ROUNDING - gain;
+        self.priced += u64::from(!may);
+        may
+    }
+
+    /// The window of a proposal, and the seconds by which its straight legs take longer; `None` where more than its ends changes.
+    fn at_least(&self, proposal: Proposal) -> Option<(usize, usize, f64)> {
+        if !self.problem.starts.is_empty() || !self.problem.links.is_empty() {
+            return None;
+        }
+        let place = |k: usize| self.visits.get(k).map(|v| (v.entry, v.exit));
+        let exit = |k: usize| k.checked_sub(1).map_or(Some(self.problem.home), |b| Some(place(b)?.1));
+        let home = (self.problem.home, self.problem.home);
+        // The stop after a window; `None` if the path ends with it.
+        let next = |high: usize| place(high).or_else(|| self.problem.closed.then_some(home)).map(|p| p.0);
+        let leg = |from: DVec2, to: Option<DVec2>| to.map_or(0.0, |to| self.air.seconds(from, to));
+        let now = |k: usize| self.straights.get(k).copied();
+        match proposal {
+            Proposal::Exchange { low, middle, high } if low < middle && middle < high => {
+                let new = leg(exit(low)?, Some(place(middle)?.0))
+                    + leg(exit(high)?, Some(place(low)?.0))
+                    + leg(exit(middle)?, next(high));
+                Some((low, high, new - now(low)? - now(middle)? - now(high)?))
+            }
+            Proposal::Reverse { low, high } if low + 1 < high => {
+                let same = |v: &Visit| {
+                    v.entry == v.exit
+                        && self.problem.nodes.get(v.stop.node as usize).is_some_and(|n| n.twin == v.stop.node)
+                };
+                if !self.visits.get(low..high)?.iter().all(same) {
+                    return None;
+                }
+                let new = leg(exit(low)?, Some(place(high - 1)?.0)) + leg(place(low)?.1, next(high));
+                Some((low, high, new - now(low)? - now(high)?))
+            }
+            _ => None,
         }
     }
 
@@ -249,6 +341,7 @@ impl<'p> Sequence<'p> {
             if let Some(place) = self.legs.get_mut(low..=high) {
                 place.copy_from_slice(&legs);
             }
+            self.straighten(low, high);
         } else {
             self.exchange(change);
         }
@@ -271,12 +364,23 @@ impl<'p> Sequence<'p> {
                 *place = leg;
             }
         }
+        self.straighten(low, high);
         self.total += sum(self) - before;
         if let Some(clock) = &mut self.clock
             && let Some(legs) = self.legs.get(low..=high)
         {
             self.total += clock.replay(&self.visits, &self.legs, legs, Window { low, rotated: None }).0;
             clock.keep(low);
+        }
+    }
+
+    /// Writes the seconds of the straight legs of a window.
+    fn straighten(&mut self, low: usize, high: usize) {
+        for k in low..=high {
+            let seconds = self.straight(k);
+            if let Some(place) = self.straights.get_mut(k) {
+                *place = seconds;
+            }
         }
     }
 

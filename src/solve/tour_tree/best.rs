@@ -1,10 +1,10 @@
 //! The best path so far. If the search over the root route found it, it is kept as a tour and converted to a solution only
 //! when a caller asks: on 10,000 contours the conversion takes as long as a slice of work, and callers seldom ask.
 
-use super::polish::unpolished;
+use super::polish::{self, unpolished};
 use super::snapshot::TourSnapshot;
 use super::tour::Tour;
-use crate::solve::Solution;
+use crate::solve::{Solution, Stop};
 use std::cell::OnceCell;
 
 /// Where a solution comes from, in the order in which one is preferred to another of equal cost. A search that is cut into
@@ -46,6 +46,14 @@ impl Best {
         self.solution.get_or_init(|| {
             self.snapshot.as_ref().map_or_else(Solution::default, |snapshot| unpolished(tour, snapshot))
         })
+    }
+
+    /// The stops of the solution, without its cost.
+    pub(super) fn stops(&self, tour: &Tour) -> Vec<Stop> {
+        match (self.solution.get(), &self.snapshot) {
+            (None, Some(snapshot)) => polish::stops(tour, snapshot),
+            (found, _) => found.map_or_else(Vec::new, |s| s.stops.clone()),
+        }
     }
 
     /// Whether a solution of this cost and origin takes the place of the best.

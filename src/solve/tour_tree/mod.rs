@@ -170,6 +170,10 @@ impl Search for TourTreeSearch<'_> {
         self.best.solution(self.annealing.tour())
     }
 
+    fn best_stops(&self) -> Vec<Stop> {
+        self.best.stops(self.annealing.tour())
+    }
+
     fn telemetry(&self) -> Telemetry {
         Telemetry { moves: self.priced(), best_at: self.best.at, best: self.best.cost() }
     }

@@ -17,13 +17,14 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// The solution of a tour, with entries at its places.
 pub(super) fn unpolished(tour: &Tour, snapshot: &TourSnapshot) -> Solution {
+    Solution::new(tour.space.problem, stops(tour, snapshot))
+}
+
+/// The stops of a tour, with entries at its places.
+pub(super) fn stops(tour: &Tour, snapshot: &TourSnapshot) -> Vec<Stop> {
     // Home is a stop only where it is an item of the problem.
     let first = usize::from(tour.space.problem.table().is_none());
-    let stops = snapshot.order[first..]
-        .iter()
-        .map(|&item| tour.space.stop(item, snapshot.at[item as usize]))
-        .collect();
-    Solution::new(tour.space.problem, stops)
+    snapshot.order[first..].iter().map(|&item| tour.space.stop(item, snapshot.at[item as usize])).collect()
 }
 
 /// The solution of a tour, with exact entries.
