@@ -36,7 +36,6 @@ pub(super) fn optimum(problem: &Problem) -> Option<(Vec<Stop>, u64)> {
     let air = AirTime::new(&problem.machine);
     Sets { problem, zones: problem.avoided(), items, air }.solve()
 }
-}
 
 struct Sets<'p> {
     problem: &'p Problem,

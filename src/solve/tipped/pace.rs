@@ -5,6 +5,7 @@
 //! late for a leap loses more than the local search gains in the same time. So the local search gets a small share of the work for as
 //! long as the method may still gain, which is enough to descend from each of its bests, and more once it has settled.
 
+use super::sequence::only_tips;
 use crate::problem::Problem;
 use crate::solve::epsilon::EPSILON;
 
@@ -35,14 +36,27 @@ const KICKED: u64 = 64;
 const STALLED: [u64; 2] = [2, 8];
 /// Where heat counts, the method makes one in four moves and the local search the others: the method does not know the cost of heat.
 const HEATED_SHARE: u64 = 4;
-/// Moves of a turn by item there, of either search.
-const HEATED_TURN: u64 = 4;
+/// One in so many moves is the local search's where cuts begin on kerfs: the method finds chains better, and the local search needs few
+/// moves for what it leaves to pierce.
+const STARTS_SHARE: u64 = 12;
+/// Moves of a turn by item there and where heat counts, of either search.
+const LONG_TURN: u64 = 4;
+
+/// How what has been cut before counts.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// Pieces may have tipped, and nothing else.
+    Tips,
+    /// Cuts begin on kerfs.
+    Starts,
+    /// Cuts heat each other.
+    Heat,
+}
 
 /// The moves of both searches, and when the method gained.
 pub(super) struct Pace {
     items: u64,
-    /// Whether cuts heat each other.
-    heated: bool,
+    kind: Kind,
     /// Moves done so far by both, and by the local search.
     pub(super) done: u64,
     local_done: u64,
@@ -51,6 +65,8 @@ pub(super) struct Pace {
     gained_at: u64,
     /// Moves of the method when its best was last taken; 0 before.
     taken_at: u64,
+    /// Whether it was new then.
+    took_new: bool,
 }
 
 /// What the local search has reached.
@@ -63,8 +79,13 @@ pub(super) struct LocalState {
 
 impl Pace {
     pub(super) fn new(problem: &Problem, cost: f64) -> Self {
-        let (items, heated) = (problem.items.len() as u64, problem.cooling().is_some());
-        Self { items, heated, done: 0, local_done: 0, cost, gained_at: 0, taken_at: 0 }
+        let kind = match (only_tips(problem), problem.cooling()) {
+            (true, _) => Kind::Tips,
+            (false, None) => Kind::Starts,
+            (false, Some(_)) => Kind::Heat,
+        };
+        let items = problem.items.len() as u64;
+        Self { items, kind, done: 0, local_done: 0, cost, gained_at: 0, taken_at: 0, took_new: false }
     }
 
     /// Counts moves of the local search.
@@ -80,13 +101,13 @@ impl Pace {
 
     /// Moves of a turn of the method.
     pub(super) fn turn(&self) -> u64 {
-        let by_item = if self.heated { HEATED_TURN } else { TURN_BY_ITEM };
+        let by_item = if self.kind == Kind::Tips { TURN_BY_ITEM } else { LONG_TURN };
         (by_item * self.items).max(TURN)
     }
 
     /// Moves of a turn of the local search.
     pub(super) fn session(&self) -> u64 {
-        if self.heated { self.turn() } else { self.turn() / SESSION }
+        if self.kind == Kind::Tips { self.turn() / SESSION } else { self.turn() }
     }
 
     /// Notes the cost of the method after a turn.
@@ -96,8 +117,9 @@ impl Pace {
         }
     }
 
-    /// Notes that the local search goes on from the method's best.
-    pub(super) fn took(&mut self) {
+    /// Notes that the local search goes on from the method's best, if that is new.
+    pub(super) fn took(&mut self, is_new: bool) {
+        self.took_new = is_new;
         self.taken_at = self.method_done();
     }
 
@@ -110,7 +132,8 @@ impl Pace {
     /// Whether the local search may go on from the method's best.
     pub(super) fn may_take(&self) -> bool {
         let parts = TAKEN[usize::from(!self.is_gaining())];
-        self.heated || (self.has_begun() && (self.method_done() - self.taken_at) * parts > self.method_done())
+        let due = (self.method_done() - self.taken_at) * parts > self.method_done();
+        self.kind != Kind::Tips || (self.has_begun() && due)
     }
 
     /// Whether the local search may have begun.
@@ -122,8 +145,13 @@ impl Pace {
     /// Whether the local search works next.
     pub(super) fn is_due(&self, local: &LocalState) -> bool {
         let method = self.method_done();
-        if self.heated {
-            return method * HEATED_SHARE > self.done;
+        match self.kind {
+            Kind::Heat => return method * HEATED_SHARE > self.done,
+            Kind::Starts => {
+                let early = self.took_new && self.done < HEAD_START * self.items;
+                return !early && self.local_done * STARTS_SHARE < self.done;
+            }
+            Kind::Tips => {}
         }
         let share = if method - self.gained_at > method - method / SETTLED {
             STALLED[usize::from(local.since_gain > self.local_done / 2)]
