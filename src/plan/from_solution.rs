@@ -59,7 +59,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
             continue;
         }
         let lead = item.and_then(|i| i.lead(stop.node)).map(|l| l.0);
-        let approach = lead.and_then(|lead| lead.approach);
+        let approach = lead.and_then(|lead| lead.approach).filter(|_| PLANS_ALL_LEVERS);
         if let Some(begins) = begins.filter(|_| known.skeleton) {
             skeleton_cut(&mut moves, &mut head, (stop.node, begins.from), problem);
             continue;

@@ -66,7 +66,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
     let flown = FlyGroups::new(sheet, machine, &planners, &ranks, avoided);
     let is_alone = |c| !joined.holds(c) && !flown.holds(c);
     let chained = Candidates::new(sheet, machine, &planners, is_alone);
-    let starts = KerfStarts::new(sheet, machine, chained.as_ref());
+    let starts = if PLANS_ALL_LEVERS { KerfStarts::new(sheet, machine, chained.as_ref()) } else { None };
     let keeps_together = sheet.keeps_together();
     let mut items = Vec::with_capacity(sheet.contours.len());
     let mut nodes: Vec<Node> = Vec::new();

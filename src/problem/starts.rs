@@ -5,6 +5,7 @@
 
 use super::ids::{ItemId, NodeId};
 use crate::geometry::DVec2;
+use crate::machine::PLANS_ALL_LEVERS;
 use crate::order::{real, sort_by};
 
 /// The starts of a problem, by node. It has none by default.
@@ -65,11 +66,14 @@ impl Starts {
 
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
-        self.all.is_empty()
+        !PLANS_ALL_LEVERS || self.all.is_empty()
     }
 
     /// Those of a node, the quickest first.
     pub fn of(&self, node: NodeId) -> &[Start] {
+        if self.is_empty() {
+            return &[];
+        }
         let at = |n: usize| self.first.get(n).map(|&f| f as usize);
         let range = at(node as usize).zip(at(node as usize + 1)).map(|(from, to)| from..to);
         range.and_then(|r| self.all.get(r)).unwrap_or_default()
@@ -77,6 +81,6 @@ impl Starts {
 
     /// No plan saves more by its starts than this beyond what it may save by links, s: every item is begun once.
     pub fn most_saved(&self) -> f64 {
-        self.most_saved
+        if PLANS_ALL_LEVERS { self.most_saved } else { 0.0 }
     }
 }
