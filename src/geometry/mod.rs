@@ -27,6 +27,7 @@ mod recognise;
 mod sample;
 mod sampler;
 mod segment;
+mod union;
 mod winding;
 
 pub use aabb::Aabb;
@@ -44,4 +45,5 @@ pub use nurbs::{MAX_DEGREE, Nurbs};
 pub use path::Path;
 pub(crate) use path::pin_ends;
 pub use segment::{Arc, Line, Segment};
+pub(crate) use union::Union;
 pub use winding::{Winding, interior_point, winding, winding_number};

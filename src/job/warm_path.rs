@@ -200,7 +200,7 @@ mod tests {
     use super::*;
     use crate::geometry::DVec2;
     use crate::machine;
-    use crate::problem::{Groups, Item, Links, Node, Starts};
+    use crate::problem::{Item, Node};
 
     /// Three items with two entries each; the first lies inside the last.
     fn problem() -> Problem {
@@ -224,14 +224,7 @@ mod tests {
             nodes,
             home: DVec2::ZERO,
             closed: false,
-            machine,
-            pairs: Vec::new(),
-            groups: Groups::default(),
-            table: None,
-            zones: None,
-            cooling: None,
-            links: Links::default(),
-            starts: Starts::default(),
+            ..Problem::empty(machine)
         }
     }
 

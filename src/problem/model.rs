@@ -197,6 +197,24 @@ pub struct Problem {
 }
 
 impl Problem {
+    /// No items, no levers, and travel from the machine's home and back to it, if the head returns.
+    pub fn empty(machine: Profile) -> Self {
+        Self {
+            items: Vec::new(),
+            nodes: Vec::new(),
+            home: machine.home(),
+            closed: machine.return_home,
+            machine,
+            pairs: Vec::new(),
+            groups: Groups::default(),
+            table: None,
+            zones: None,
+            cooling: None,
+            links: Links::default(),
+            starts: Starts::default(),
+        }
+    }
+
     /// What every plan pays at its items, whatever its travel, s ([`Item::least`]), less what links and starts may save.
     pub fn paid(&self) -> f64 {
         self.items.iter().map(Item::least).sum::<f64>() - self.links.most_saved() - self.starts.most_saved()
@@ -209,7 +227,7 @@ impl Problem {
 
     /// Whether what a move costs depends on what has been cut before it.
     pub fn depends_on_the_past(&self) -> bool {
-        self.avoided().is_some() || self.cooling().is_some() || PLANS_ALL_LEVERS && !self.starts.is_empty()
+        self.avoided().is_some() || self.cooling().is_some() || !self.starts.is_empty()
     }
 
     /// The cuts that heat each other, if they do.

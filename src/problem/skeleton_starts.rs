@@ -9,7 +9,7 @@ use super::ids::NodeId;
 use super::model::{Item, Node};
 use super::starts::Start;
 use crate::geometry::{DVec2, Segment};
-use crate::machine::{AirTime, PLANS_ALL_LEVERS, Profile, cut_time};
+use crate::machine::{AirTime, Profile, cut_time};
 use crate::order::{real, sort_by};
 use crate::sheet::Sheet;
 
@@ -28,7 +28,7 @@ pub(super) fn skeleton_starts(
     nodes: &[Node],
 ) -> Vec<(NodeId, Start)> {
     let mut all = Vec::new();
-    if !machine.levers.chains.is_some_and(|l| PLANS_ALL_LEVERS && l.edge_starts) {
+    if !machine.levers.chains.is_some_and(|l| l.edge_starts) {
         return all;
     }
     let cuts = (0..).zip(&sheet.contours).filter(|(_, c)| c.skeleton).filter_map(|(id, c)| {

@@ -4,7 +4,7 @@
 //! radius share a cell in at least one of them, and two that share a cell are nearer than 1.42 radii. All points of
 //! a cell are united at once, so a hundred thousand points in one place cost as much as anywhere else.
 
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, Union};
 use rustc_hash::FxHashMap;
 
 /// The cell of side `side` that holds `p`.
@@ -31,54 +31,6 @@ pub(super) fn cluster(points: &[DVec2], radius: f64) -> Vec<u32> {
         }
     }
     union.numbered()
-}
-
-/// Disjoint sets; the smallest member is the root, so numbering follows first members.
-pub(super) struct Union(Vec<u32>);
-
-impl Union {
-    pub(super) fn new(n: usize) -> Self {
-        Self((0_u32..).take(n).collect())
-    }
-
-    /// Adds a set of one member, and returns it.
-    pub(super) fn add(&mut self) -> u32 {
-        let next = u32::try_from(self.0.len()).unwrap_or(u32::MAX);
-        self.0.push(next);
-        next
-    }
-
-    pub(super) fn root(&mut self, mut i: u32) -> u32 {
-        while self.0[i as usize] != i {
-            let up = self.0[self.0[i as usize] as usize];
-            self.0[i as usize] = up;
-            i = up;
-        }
-        i
-    }
-
-    pub(super) fn join(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.0[a.max(b) as usize] = a.min(b);
-    }
-
-    fn numbered(mut self) -> Vec<u32> {
-        let mut number = vec![0; self.0.len()];
-        let mut next = 0;
-        for i in 0_u32.. {
-            if i as usize == number.len() {
-                break;
-            }
-            let root = self.root(i);
-            if root == i {
-                number[i as usize] = next;
-                next += 1;
-            } else {
-                number[i as usize] = number[root as usize];
-            }
-        }
-        number
-    }
 }
 
 #[cfg(test)]

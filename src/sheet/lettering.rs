@@ -10,12 +10,11 @@
 //!    O of a word), except circles, which may be holes.
 //! 3. Other open contours with one end at such a cluster are leaders.
 
-use super::cluster::Union;
 use super::findings::{count, plural};
 use super::model::{Contour, Group, Operation};
 use crate::drawing::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
-use crate::geometry::{Aabb, BoxIndex, Segment};
+use crate::geometry::{Aabb, BoxIndex, Segment, Union};
 use crate::order::{real, sort_by};
 use rustc_hash::FxHashSet;
 

@@ -7,7 +7,7 @@ use kerfway::geometry::DVec2;
 use kerfway::job::problem_of;
 use kerfway::machine::Profile;
 use kerfway::plan::{LowerBound, ShareBound};
-use kerfway::problem::{Groups, Item, Links, Node, NodeId, Problem, Table};
+use kerfway::problem::{Item, Node, NodeId, Problem, Table};
 use kerfway::solve;
 
 /// Bound after so much work in slices of `slice`.
@@ -69,20 +69,7 @@ fn scattered(dice: &mut Dice, k: u64) -> Problem {
         });
     }
     let pairs = if k % 11 == 4 && count > 3 { vec![(0, 3), (2, 3)] } else { Vec::new() };
-    Problem {
-        items,
-        nodes,
-        home: p(0.0, 0.0),
-        closed: machine.return_home,
-        machine,
-        pairs,
-        groups: Groups::default(),
-        table: None,
-        zones: None,
-        cooling: None,
-        links: Links::default(),
-        starts: kerfway::problem::Starts::default(),
-    }
+    Problem { items, nodes, home: p(0.0, 0.0), closed: machine.return_home, pairs, ..Problem::empty(machine) }
 }
 
 /// Is never above the optimum, and proves it, also where the known path is up to 1 % longer.
@@ -240,20 +227,7 @@ fn qu_and_du(name: &str, closed: bool, boundary: bool) -> Problem {
             ..Item::default()
         });
     }
-    Problem {
-        items,
-        nodes,
-        home: DVec2::ZERO,
-        closed,
-        machine,
-        pairs: Vec::new(),
-        groups: Groups::default(),
-        table: None,
-        zones: None,
-        cooling: None,
-        links: Links::default(),
-        starts: kerfway::problem::Starts::default(),
-    }
+    Problem { items, nodes, home: DVec2::ZERO, closed, ..Problem::empty(machine) }
 }
 
 /// All are proven. For the third and the last two, another solver left a gap.

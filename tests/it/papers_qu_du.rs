@@ -5,7 +5,7 @@
 use crate::testkit::sheets::{assert_feasible, machine, nested_sheet};
 use kerfway::geometry::DVec2;
 use kerfway::job::{Job, LoadOptions, problem_of};
-use kerfway::problem::{self, Groups, Item, Links, Node, Problem, instance};
+use kerfway::problem::{self, Item, Node, Problem, instance};
 use kerfway::solve::papers::{Legs, Measure, feature_points, method, with_feature_points};
 use kerfway::solve::{Solution, Status, Step};
 use kerfway::{plan, sheet::Sheet};
@@ -115,20 +115,7 @@ fn points(closed: bool) -> Problem {
         items.push(Item { nodes, ..Item::default() });
     }
     let (machine, home) = (machine("length"), DVec2::ZERO);
-    Problem {
-        items,
-        nodes,
-        home,
-        closed,
-        machine,
-        pairs: vec![],
-        groups: Groups::default(),
-        table: None,
-        zones: None,
-        cooling: None,
-        links: Links::default(),
-        starts: problem::Starts::default(),
-    }
+    Problem { items, nodes, home, closed, ..Problem::empty(machine) }
 }
 
 /// Least length over all orders and nodes.

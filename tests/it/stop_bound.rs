@@ -9,7 +9,7 @@ use kerfway::geometry::DVec2;
 use kerfway::job::problem_of;
 use kerfway::machine::{AirTime, Profile};
 use kerfway::plan::{self, CertificateFault, StopBound};
-use kerfway::problem::{Groups, Item, Links, Node, NodeId, Problem};
+use kerfway::problem::{Item, Node, NodeId, Problem};
 use kerfway::solve;
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
@@ -60,20 +60,7 @@ fn scattered(dice: &mut Dice, k: u64) -> Problem {
     if items.iter().all(|i| i.leave.is_none()) {
         items.push(Item { nodes: 0..0, leave: Some(0.0), ..Item::default() });
     }
-    Problem {
-        items,
-        nodes,
-        home: DVec2::ZERO,
-        closed: machine.return_home,
-        machine,
-        pairs: Vec::new(),
-        groups: Groups::default(),
-        table: None,
-        zones: None,
-        cooling: None,
-        links: Links::default(),
-        starts: kerfway::problem::Starts::default(),
-    }
+    Problem { items, nodes, home: DVec2::ZERO, closed: machine.return_home, ..Problem::empty(machine) }
 }
 
 /// Least seconds of all ways to cut the contours of a problem from node to node, leaving and resuming any of them at any time: the

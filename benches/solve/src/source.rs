@@ -3,7 +3,7 @@
 use kerfway::geometry::DVec2;
 use kerfway::job::{Job, LoadOptions, problem_of};
 use kerfway::machine::{self, Profile};
-use kerfway::problem::{self, Groups, Instance, Item, Links, Node, Problem, Starts};
+use kerfway::problem::{self, Instance, Item, Node, Problem};
 use kerfway::solve::Solution;
 use kerfway::solve::papers::{self, Legs, Measure};
 use kerfway::{plan, sheet::Sheet, solve};
@@ -242,13 +242,7 @@ fn points(data: &Value, machine: Profile, boundary: bool) -> Option<Problem> {
         nodes,
         home,
         closed,
-        machine,
-        pairs: Vec::new(),
-        groups: Groups::default(),
-        table: None,
-        zones: None,
-        cooling: None,
-        links: Links::default(), starts: Starts::default(),
+        ..Problem::empty(machine)
     })
 }
 

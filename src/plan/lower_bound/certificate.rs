@@ -77,8 +77,8 @@ pub struct Certificate {
 /// Why a certificate proves nothing.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CertificateFault {
-    /// The bound by shares does not apply to the problem.
-    #[error("The problem has no bound by shares.")]
+    /// The bound that the certificate is of, by shares or by stops, does not apply to the problem.
+    #[error("The problem has no bound of the kind that the certificate is of.")]
     Problem,
     /// A list has another length than the problem asks for, or names an item that is not there.
     #[error("The {0} of the certificate do not fit the problem.")]
@@ -136,6 +136,15 @@ pub(super) fn below(power: i32, whole: i128) -> f64 {
     libm::ldexp((whole - 1) as f64, power)
 }
 
+/// The seconds of the bound that a certificate states, if its numbers prove that one.
+pub(super) fn stated(power: i32, stated: i64, proven: i128) -> Result<f64, CertificateFault> {
+    if proven == i128::from(stated) {
+        Ok(below(power, proven))
+    } else {
+        Err(CertificateFault::Bound { stated, proven })
+    }
+}
+
 /// A proven travel in units, and the seconds that every plan pays besides: their sum, s, rounded down.
 pub fn with_paid(power: i32, proven: i128, paid: impl Iterator<Item = f64>) -> f64 {
     #[expect(clippy::cast_possible_truncation, reason = "whole")]
@@ -154,11 +163,7 @@ impl Certificate {
     /// # Errors
     /// What does not fit, or which bound the numbers prove instead.
     pub fn check(&self, problem: &Problem) -> Result<f64, CertificateFault> {
-        let proven = self.adds_up_to(problem)?;
-        if proven != i128::from(self.bound) {
-            return Err(CertificateFault::Bound { stated: self.bound, proven });
-        }
-        Ok(self.seconds())
+        stated(self.unit, self.bound, self.adds_up_to(problem)?)
     }
 
     /// The bound that the numbers prove, in units.

@@ -37,6 +37,18 @@ impl Pairs {
         Self { of: vec![Vec::new(); items], ..Self::default() }
     }
 
+    /// The first pairs, with their tables: of near items, and of home with every item.
+    #[cfg(feature = "research")]
+    pub(super) fn first(items: &[Item], first: usize, prices: &Prices) -> Self {
+        let mut scan = Scan::new(items, first);
+        while scan.next(items, first, prices).is_some() {}
+        let mut pairs = Self::new(items.len());
+        for ends in scan.wanted(first, items.len()) {
+            pairs.add(items, prices, ends, true);
+        }
+        pairs
+    }
+
     /// Adds a new pair, with its table (`keep`) or only the minimum of it.
     pub(super) fn add(&mut self, items: &[Item], prices: &Prices, [a, b]: [usize; 2], keep: bool) {
         let table = self.tables.len();

@@ -41,8 +41,8 @@ impl Prices {
         }
     }
 
-    /// The same, but where one of the four numbers between two pieces would be less than `least`, which is not negative, all are 0:
-    /// so many seconds does every leg take, without rounding.
+    /// The same, but where one of the four numbers between two pieces would be less than `least`, which is not negative, all are 0: every leg
+    /// takes at least that, so these numbers need no allowance for rounding.
     #[cfg(feature = "research")]
     pub(super) fn none_below(self, least: f64) -> Self {
         Self { none_below: Some(least), ..self }

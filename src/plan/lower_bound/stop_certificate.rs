@@ -1,7 +1,7 @@
 //! Certificates of the bound by stops (`postman`), and their check in whole numbers. As with [`super::Certificate`], how the numbers were
 //! found does not matter; the check shares the division of contours, the seconds between pieces and the stops of items with the search.
 
-use super::certificate::{CertificateFault, Part, below, unit, units};
+use super::certificate::{CertificateFault, Part, below, stated, unit, units};
 use super::net::{Item, homes};
 use super::pairs::{Pairs, box_seconds};
 use super::postman::{Member, Stop, Stops, applies, members};
@@ -60,11 +60,7 @@ impl StopCertificate {
     /// # Errors
     /// What does not fit, or which bound the numbers prove instead.
     pub fn check(&self, problem: &Problem) -> Result<f64, CertificateFault> {
-        let proven = self.adds_up_to(problem)?;
-        if proven != i128::from(self.bound) {
-            return Err(CertificateFault::Bound { stated: self.bound, proven });
-        }
-        Ok(self.seconds())
+        stated(self.unit, self.bound, self.adds_up_to(problem)?)
     }
 
     /// The bound that the numbers prove, in units.

@@ -16,7 +16,7 @@ use super::file::File;
 use super::model::Instance;
 use super::sets::Sets;
 use crate::machine;
-use crate::problem::{Groups, Item, Links, Node, NodeId, Problem, Starts};
+use crate::problem::{Item, Node, NodeId, Problem};
 use glam::DVec2;
 
 /// Largest coordinate that the search is given: above those of TSPLIB, so that its instances are searched as they are.
@@ -54,20 +54,7 @@ pub(super) fn instance(file: &File, nodes: usize, mut sets: Sets) -> Result<Inst
     let home = start.first().map_or(DVec2::ZERO, |&n| place(n));
     Ok(Instance {
         name: file.name(),
-        problem: Problem {
-            items,
-            nodes: list,
-            home,
-            closed: true,
-            machine,
-            pairs: Vec::new(),
-            groups: Groups::default(),
-            table: None,
-            zones: None,
-            cooling: None,
-            links: Links::default(),
-            starts: Starts::default(),
-        },
+        problem: Problem { items, nodes: list, home, closed: true, ..Problem::empty(machine) },
         numbers: order.iter().map(|&n| id(n) + 1).collect(),
         fixed: Vec::new(),
         lowered: 0.0,

@@ -28,11 +28,8 @@ pub use check::{Fault, check};
 pub use error::InstanceError;
 pub use model::Instance;
 
-use super::groups::Groups;
 use super::ids::NodeId;
-use super::links::Links;
 use super::model::{Item, Node, Problem};
-use super::starts::Starts;
 use super::table::Table;
 use crate::machine;
 use file::File;
@@ -85,14 +82,9 @@ pub fn instance(bytes: &[u8]) -> Result<Instance, InstanceError> {
         nodes: list,
         home: DVec2::ZERO,
         closed: true,
-        machine: machine::presets().swap_remove(0),
         pairs: pairs.collect(),
-        groups: Groups::default(),
         table: Some(table),
-        zones: None,
-        cooling: None,
-        links: Links::default(),
-        starts: Starts::default(),
+        ..Problem::empty(machine::presets().swap_remove(0))
     };
     Ok(Instance { name: file.name(), problem, numbers, fixed, lowered, whole, plane: None })
 }

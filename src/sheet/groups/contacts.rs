@@ -3,7 +3,7 @@
 use super::super::cluster::cluster;
 use super::super::model::Contour;
 use super::vertices::with_vertices;
-use crate::geometry::{Aabb, BoxIndex, DVec2, Path};
+use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Union};
 use crate::order::{real, sort_by};
 
 /// A place on a contour where its group has a node.
@@ -28,7 +28,7 @@ pub(super) struct Set {
 /// Connected sets of those contours that are `sound`.
 pub(super) fn sets(contours: &[Contour], sound: &[bool], tolerance: f64) -> Vec<Set> {
     let boxes = BoxIndex::new(contours.iter().map(|c| c.bounds));
-    let mut leader: Vec<u32> = (0..).take(contours.len()).collect();
+    let mut together = Union::new(contours.len());
     let mut breaks: Vec<Break> = Vec::new();
     let mut met: Vec<u32> = Vec::new();
     let open = |c: &(u32, &Contour)| sound[c.0 as usize] && !c.1.path.closed;
@@ -40,7 +40,7 @@ pub(super) fn sets(contours: &[Contour], sound: &[bool], tolerance: f64) -> Vec<
         }
         met.push(id);
         for found in touched.into_iter().flatten() {
-            unite(&mut leader, id, found.contour);
+            together.join(id, found.contour);
             breaks.push(found);
         }
     }
@@ -55,7 +55,7 @@ pub(super) fn sets(contours: &[Contour], sound: &[bool], tolerance: f64) -> Vec<
             breaks.push(Break { contour: id, along: path.length(), at: end });
         }
     }
-    let mut by_set: Vec<(u32, Break)> = breaks.into_iter().map(|b| (root(&leader, b.contour), b)).collect();
+    let mut by_set: Vec<(u32, Break)> = breaks.into_iter().map(|b| (together.root(b.contour), b)).collect();
     sort_by(&mut by_set, |(set, b)| [u64::from(*set) << 32 | u64::from(b.contour), real(b.along), 0]);
     by_set.chunk_by(|a, b| a.0 == b.0).map(|set| joined(contours, set, tolerance)).collect()
 }
@@ -153,16 +153,4 @@ pub(super) fn join(contours: &[Contour], set: &mut Set, limit: f64) -> Option<Ve
         b.along = along;
     }
     Some(paths)
-}
-
-fn root(leader: &[u32], mut c: u32) -> u32 {
-    while leader[c as usize] != c {
-        c = leader[c as usize];
-    }
-    c
-}
-
-fn unite(leader: &mut [u32], a: u32, b: u32) {
-    let (a, b) = (root(leader, a), root(leader, b));
-    leader[a.max(b) as usize] = a.min(b);
 }

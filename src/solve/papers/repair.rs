@@ -127,7 +127,7 @@ pub(super) fn ranks(problem: &Problem) -> Vec<u32> {
 mod tests {
     use super::*;
     use crate::machine;
-    use crate::problem::{Groups, Item, Links, Starts};
+    use crate::problem::{Groups, Item};
     use glam::DVec2;
 
     fn problem(before: &[Option<u32>], ranks: &[u32], groups: Groups) -> Problem {
@@ -135,20 +135,7 @@ mod tests {
         let items = before.iter().zip(ranks).map(item).collect();
         let machine = machine::presets().into_iter().next().unwrap();
         let (home, closed) = (DVec2::ZERO, true);
-        Problem {
-            items,
-            nodes: vec![],
-            home,
-            closed,
-            machine,
-            pairs: vec![],
-            groups,
-            table: None,
-            zones: None,
-            cooling: None,
-            links: Links::default(),
-            starts: Starts::default(),
-        }
+        Problem { items, nodes: vec![], home, closed, groups, ..Problem::empty(machine) }
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use crate::geometry::DVec2;
 use crate::machine;
-use crate::problem::{Groups, Item, Links, Node, NodeId, Problem, Starts};
+use crate::problem::{Item, Node, NodeId, Problem};
 
 /// Closed contours with these corners as nodes, on the preset machine of that name. The head starts at (0, 0) and returns
 /// there. `leave` is the cost of leaving a contour unfinished, in seconds; `None` forbids it.
@@ -19,19 +19,5 @@ pub(super) fn sheet(contours: &[&[[f64; 2]]], leave: Option<f64>, machine: &str)
         items.push(Item { nodes, leave, ..Item::default() });
     }
     let machine = machine::preset(machine).unwrap();
-    let (home, pairs, groups, table) = (DVec2::ZERO, Vec::new(), Groups::default(), None);
-    Problem {
-        items,
-        nodes,
-        home,
-        closed: true,
-        machine,
-        pairs,
-        groups,
-        table,
-        zones: None,
-        cooling: None,
-        links: Links::default(),
-        starts: Starts::default(),
-    }
+    Problem { items, nodes, home: DVec2::ZERO, closed: true, ..Problem::empty(machine) }
 }

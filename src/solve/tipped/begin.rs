@@ -4,7 +4,7 @@
 //! comes after it.
 
 use crate::geometry::DVec2;
-use crate::machine::{AirTime, PLANS_ALL_LEVERS};
+use crate::machine::AirTime;
 use crate::problem::{ItemId, NodeId, Problem, Start};
 use crate::solve::traits::Stop;
 
@@ -38,7 +38,7 @@ pub(super) fn begin(
 
 /// How each cut of a sequence of stops is begun, if not pierced or joined to the one before it.
 pub fn begun(problem: &Problem, stops: &[Stop]) -> Vec<Option<Start>> {
-    if !PLANS_ALL_LEVERS || problem.starts.is_empty() {
+    if problem.starts.is_empty() {
         return Vec::new();
     }
     let air = AirTime::new(&problem.machine);

@@ -5,6 +5,7 @@
 //! the way to it, its cut, and the way to the next one take the fewest seconds.
 
 use super::begin::{Head, begin};
+use crate::geometry::Union;
 use crate::machine::AirTime;
 use crate::problem::{ItemId, NodeId, Problem};
 use crate::solve::traits::Stop;
@@ -53,27 +54,12 @@ fn kerfs(problem: &Problem, nodes: std::ops::Range<NodeId>) -> Vec<ItemId> {
 }
 
 /// By item: the number of the field that it is in. Items are in one field if a chain of starts on kerfs connects them.
-fn fields(kerfs: &[Vec<ItemId>]) -> Vec<ItemId> {
-    let mut parent: Vec<ItemId> = (0..).take(kerfs.len()).collect();
-    fn root(parent: &mut [ItemId], mut item: ItemId) -> ItemId {
-        while let Some(&up) = parent.get(item as usize).filter(|&&up| up != item) {
-            let above = parent.get(up as usize).copied().unwrap_or(up);
-            if let Some(known) = parent.get_mut(item as usize) {
-                *known = above;
-            }
-            item = up;
-        }
-        item
-    }
+fn fields(kerfs: &[Vec<ItemId>]) -> Vec<u32> {
+    let mut fields = Union::new(kerfs.len());
     for (item, beside) in (0..).zip(kerfs) {
-        for &other in beside {
-            let (a, b) = (root(&mut parent, item), root(&mut parent, other));
-            if let Some(known) = parent.get_mut(a as usize) {
-                *known = b;
-            }
-        }
+        beside.iter().for_each(|&other| fields.join(item, other));
     }
-    (0..).take(kerfs.len()).map(|item| root(&mut parent, item)).collect()
+    fields.numbered()
 }
 
 /// The order so far.

@@ -16,8 +16,8 @@ const TURN_BY_ITEM: u64 = 1;
 /// this part of them.
 const RECENT: u64 = 32;
 const SETTLED: u64 = 8;
-/// The local search goes on from the method's best once the method's moves have grown by one in so many since it last did: while
-/// the method gains, and after that. It takes about as long as four moves by item to price all of a path.
+/// The local search goes on from the method's best once this part of the method's moves (one in 4, one in 64) was made since it last did:
+/// while the method gains, and after that. It takes about as long as four moves by item to price all of a path.
 const TAKEN: [u64; 2] = [4, 64];
 /// Moves by item before the local search begins, unless the method has gained before and does not any more: its first descent
 /// gains more than the local search could.
@@ -26,8 +26,8 @@ const HEAD_START: u64 = 200;
 const SESSION: u64 = 8;
 /// Time of a move of the local search, in moves of the method.
 const LOCAL: u64 = 5;
-/// One in so many units of work is the local search's: while the method gains; while what it has found is
-/// descended from; and when that is kicked. Most of what tipped pieces cost is gained by a descent, which is short. The rest
+/// The local search has one unit of work in this number of units: while the method gains; while it descends from what the method has
+/// found; and while it kicks that. Most of what tipped pieces cost is gained by a descent, which is short. The rest
 /// is little, and what the method finds later is worth more.
 const GAINING: u64 = 128;
 const FRESH: u64 = 32;
@@ -36,7 +36,7 @@ const KICKED: u64 = 64;
 const STALLED: [u64; 2] = [2, 8];
 /// Where heat counts, the method makes one in four moves and the local search the others: the method does not know the cost of heat.
 const HEATED_SHARE: u64 = 4;
-/// One in so many moves is the local search's where cuts begin on kerfs: the method finds chains better, and the local search needs few
+/// The local search has one move in this number of moves where cuts begin on kerfs: the method finds chains better, and the local search needs few
 /// moves for what it leaves to pierce.
 const STARTS_SHARE: u64 = 12;
 /// Moves of a turn by item there and where heat counts, of either search.

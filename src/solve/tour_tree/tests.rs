@@ -4,7 +4,7 @@
 use super::*;
 use crate::geometry::{Arc, DVec2, Path, Segment};
 use crate::machine::{self, AirTime, ClosedRun};
-use crate::problem::{Groups, Item, Links, Node, NodeId, Starts};
+use crate::problem::{Groups, Item, Node, NodeId};
 use crate::solve::rng::seeded;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
@@ -51,20 +51,7 @@ pub(super) fn small(seed: u64, count: u32, machine: &str, closed: bool) -> Probl
         let run = if open { None } else { ClosedRun::new(&machine, &machine.cut, false, &run) };
         items.push(Item { nodes: first..end, before, rank, run, ..Item::default() });
     }
-    Problem {
-        items,
-        nodes,
-        home: DVec2::new(-20.0, 10.0),
-        closed,
-        machine,
-        pairs: Vec::new(),
-        groups: Groups::default(),
-        table: None,
-        zones: None,
-        cooling: None,
-        links: Links::default(),
-        starts: Starts::default(),
-    }
+    Problem { items, nodes, home: DVec2::new(-20.0, 10.0), closed, ..Problem::empty(machine) }
 }
 
 /// The same, with every item and what must come before it as a group.
@@ -135,20 +122,7 @@ fn circles(centers: &[DVec2]) -> Problem {
     });
     let items = items.collect();
     let machine = machine::preset("length").unwrap();
-    Problem {
-        items,
-        nodes,
-        home: DVec2::ZERO,
-        closed: true,
-        machine,
-        pairs: Vec::new(),
-        groups: Groups::default(),
-        table: None,
-        zones: None,
-        cooling: None,
-        links: Links::default(),
-        starts: Starts::default(),
-    }
+    Problem { items, nodes, home: DVec2::ZERO, closed: true, ..Problem::empty(machine) }
 }
 
 /// Holes of radius 10 in a grid that is not quite even, and a circle around all of them, the last item.

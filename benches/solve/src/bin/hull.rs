@@ -7,7 +7,7 @@
 use cpu_time::ThreadTime;
 use kerfway::geometry::DVec2;
 use kerfway::machine;
-use kerfway::problem::{Groups, Item, Links, Node, Problem, Starts};
+use kerfway::problem::{Item, Node, Problem};
 use kerfway::solve::{self, Search, Solver, Status, papers};
 use kerfway_bench_solve::trace::Trace;
 use serde_json::{Value, json};
@@ -117,6 +117,6 @@ fn problem(sheet: &Value) -> Option<Problem> {
         items.push(Item { nodes, leave: Some(0.0), ..Item::default() });
     }
     let machine = machine::preset("length-partial")?;
-    let (home, pairs, groups, table) = (point(&sheet["origin"])?, Vec::new(), Groups::default(), None);
-    Some(Problem { items, nodes, home, closed: true, machine, pairs, groups, table, zones: None, cooling: None, links: Links::default(), starts: Starts::default() })
+    let home = point(&sheet["origin"])?;
+    Some(Problem { items, nodes, home, closed: true, ..Problem::empty(machine) })
 }

@@ -8,7 +8,7 @@
 use cpu_time::ThreadTime;
 use kerfway::geometry::DVec2;
 use kerfway::machine;
-use kerfway::problem::{Groups, Item, Links, Node, Problem, Starts};
+use kerfway::problem::{Item, Node, Problem};
 use kerfway::solve::{self, Search, Status, papers};
 use serde_json::{Value, json};
 
@@ -97,6 +97,6 @@ fn problem(data: &Value) -> Option<Problem> {
         items.push(Item { nodes, ..Item::default() });
     }
     let machine = machine::preset("length-chebyshev")?;
-    let (home, pairs, groups, table) = (point(&data["origin"])?, Vec::new(), Groups::default(), None);
-    Some(Problem { items, nodes, home, closed: false, machine, pairs, groups, table, zones: None, cooling: None, links: Links::default(), starts: Starts::default() })
+    let home = point(&data["origin"])?;
+    Some(Problem { items, nodes, home, closed: false, ..Problem::empty(machine) })
 }

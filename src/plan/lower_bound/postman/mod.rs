@@ -45,7 +45,7 @@ mod stops;
 
 use super::certificate::unit;
 use super::net::Item;
-use super::pairs::{Pairs, Scan};
+use super::pairs::Pairs;
 use super::prices::Prices;
 use super::stop_certificate::StopCertificate;
 use crate::problem::Problem;
@@ -167,11 +167,7 @@ impl StopBound {
         if bound.done {
             return Some(bound);
         }
-        let mut scan = Scan::new(&items, first);
-        while scan.next(&items, first, &bound.prices).is_some() {}
-        for ends in scan.wanted(first, count) {
-            bound.pairs.add(&items, &bound.prices, ends, true);
-        }
+        bound.pairs = Pairs::first(&items, first, &bound.prices);
         bound.lay_out();
         bound.potential = bound.half_legs();
         let value = bound.look();

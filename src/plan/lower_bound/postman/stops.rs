@@ -28,7 +28,7 @@ pub(in super::super) struct Choice {
 pub(in super::super) enum Stops {
     /// One leg, at its only knot: an end of an open path.
     End,
-    /// A stop at one knot, and more of them at any knots for so many seconds each, if it may be left.
+    /// A stop at one knot. If the item may be left, there may be more of them, at any knots; the number is the seconds that each takes.
     Anywhere(Option<f64>),
     /// A stop with one leg at each of the two knots of a pair.
     Pairs,

@@ -37,7 +37,7 @@ mod soft;
 
 use super::certificate::{Certificate, applies};
 use super::net::{Item, homes, items};
-use super::pairs::{Pairs, Scan};
+use super::pairs::Pairs;
 use super::prices::Prices;
 use crate::problem::Problem;
 use cut::{Cut, Leg};
@@ -133,12 +133,7 @@ impl ShareBound {
             return None;
         }
         let (items, first, prices) = (items(problem), homes(problem), Prices::new(problem));
-        let mut scan = Scan::new(&items, first);
-        while scan.next(&items, first, &prices).is_some() {}
-        let mut pairs = Pairs::new(items.len());
-        for ends in scan.wanted(first, items.len()) {
-            pairs.add(&items, &prices, ends, true);
-        }
+        let pairs = Pairs::first(&items, first, &prices);
         let kind = |(k, item): (usize, &Item)| match (k < first && first == 2, item.paired) {
             (true, _) => Kind::End,
             (_, true) => Kind::Paired,

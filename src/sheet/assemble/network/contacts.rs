@@ -1,9 +1,9 @@
 //! Contacts: where the chains of a network meet.
 
 use super::joined::{Joined, Role};
-use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, intersect};
+use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, Union, intersect};
 use crate::order::{real, sort_by};
-use crate::sheet::cluster::{Union, cluster};
+use crate::sheet::cluster::cluster;
 use crate::sheet::element::{Element, ROUNDING};
 
 /// Number of boxes visited per element on average, and for a small drawing in total. Real networks need a few for each

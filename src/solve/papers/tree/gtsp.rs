@@ -11,7 +11,7 @@
 use super::entries::{MOST_ORDERED, cheapest, orders};
 use super::forest::Forest;
 use super::graph::Graph;
-use crate::problem::{Groups, Item, ItemId, Links, Node, NodeId, Problem, Starts};
+use crate::problem::{Item, ItemId, Node, NodeId, Problem};
 use crate::solve::epsilon::EPSILON;
 use crate::solve::tour_tree::TourTree;
 use crate::solve::{Running, Solution, Solver, Status, Stop};
@@ -54,14 +54,7 @@ impl Gtsp {
             nodes: Vec::new(),
             home: forest.ends(g, route).0,
             closed: forest.ends(g, route).1.is_some(),
-            machine: g.problem.machine.clone(),
-            pairs: Vec::new(),
-            groups: Groups::default(),
-            table: None,
-            zones: None,
-            cooling: None,
-            links: Links::default(),
-            starts: Starts::default(),
+            ..Problem::empty(g.problem.machine.clone())
         };
         let mut stops = Vec::new();
         for (id, &item) in (0..).zip(&items) {

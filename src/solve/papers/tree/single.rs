@@ -8,7 +8,7 @@
 use super::forest::{Forest, ROOT};
 use super::graph::Graph;
 use super::{entries, visits};
-use crate::problem::{Groups, Item, Links, NodeId, Problem, Starts};
+use crate::problem::{Item, NodeId, Problem};
 use crate::solve::insight::charts;
 use crate::solve::papers::piecewise::{Piecewise, Progress, solution};
 use crate::solve::papers::repair::Repair;
@@ -47,14 +47,8 @@ impl<'p> Single<'p> {
             nodes: problem.nodes.clone(),
             home: problem.home,
             closed: problem.closed,
-            machine: problem.machine.clone(),
-            pairs: Vec::new(),
-            groups: Groups::default(),
             table: problem.table.clone(),
-            zones: None,
-            cooling: None,
-            links: Links::default(),
-            starts: Starts::default(),
+            ..Problem::empty(problem.machine.clone())
         };
         let relaxed = Relaxed::new(relaxed, |p| TourTree.start(p, seed, None));
         let progress = Progress::new(greedy(problem), f64::INFINITY);

@@ -2,7 +2,7 @@
 
 use crate::geometry::{DVec2, Path, Segment};
 use crate::machine;
-use crate::problem::{Groups, Item, Links, Node, Problem, Starts};
+use crate::problem::{Item, Node, Problem};
 use crate::solve::methods;
 
 /// Items in a row, and rows.
@@ -24,14 +24,7 @@ fn rectangles(centers: &[DVec2], half: DVec2) -> Problem {
         nodes,
         home: DVec2::ZERO,
         closed: true,
-        machine: machine::preset("length").unwrap(),
-        pairs: Vec::new(),
-        groups: Groups::default(),
-        table: None,
-        zones: None,
-        cooling: None,
-        links: Links::default(),
-        starts: Starts::default(),
+        ..Problem::empty(machine::preset("length").unwrap())
     }
 }
 
