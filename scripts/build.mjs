@@ -57,37 +57,49 @@ export async function build({ quick = false } = {}) {
 /** Makes the wasm files that are out of date, with their JavaScript and their types. */
 export async function wasmFiles({ quick = false } = {}) {
   mkdirSync(WASM, { recursive: true });
-  await together(compiling({ quick }));
-  for (const name of Object.keys(FILES)) bind(name, quick);
+  await together(lanes(quick, (name) => !isCurrent(join(WASM, name), quick), async (name, folder) => {
+    if (!isCurrent(join(COMPILED, name), quick)) await compile(name, quick, folder);
+    await bind(name, quick);
+  }));
 }
 
-/** The task that compiles the wasm files which are out of date; it needs no tool but cargo. */
+/** The tasks that compile the wasm files which are out of date; they need no tool but cargo. */
 export function compiling({ quick = false } = {}) {
-  const stale = Object.keys(FILES).filter((name) => !isCurrent(join(WASM, name), quick) && !isCurrent(join(COMPILED, name), quick));
-  const work = async () => {
-    mkdirSync(COMPILED, { recursive: true });
-    for (const name of stale) await compile(name, quick);
-  };
-  const name = `build: compiling ${stale.join(', ')}`;
-  return stale.length === 0 ? [] : [{ name, usually: quick ? '2 to 3 minutes' : '4 minutes', work }];
+  const isStale = (name) => !isCurrent(join(WASM, name), quick) && !isCurrent(join(COMPILED, name), quick);
+  return lanes(quick, isStale, (name, folder) => compile(name, quick, folder));
 }
 
-async function compile(name, quick) {
+/**
+ * Tasks that make files one after the other. A release is compiled on one core, so there are two of them, and cargo has a folder for
+ * each, because it locks it. A quick build takes all cores and has one.
+ */
+function lanes(quick, isStale, make) {
+  const target = process.env.CARGO_TARGET_DIR ?? join(ROOT, 'target');
+  const all = quick ? [[Object.keys(FILES), target]] : [[['kerfway_research', 'kerfway_outputs'], target], [['kerfway', 'kerfway_png'], join(target, 'beside')]];
+  return all.flatMap(([names, folder]) => {
+    const stale = names.filter(isStale);
+    const work = async () => {
+      for (const name of stale) await make(name, folder);
+    };
+    return stale.length === 0 ? [] : [{ name: `build: ${stale.join(', ')}`, usually: quick ? '2 to 3 minutes' : '4 minutes', work }];
+  });
+}
+
+async function compile(name, quick, folder) {
+  mkdirSync(COMPILED, { recursive: true });
   const profile = quick ? 'quick' : 'release';
   const args = ['build', '--locked', '--lib', '--target', TARGET, '--profile', profile, '--no-default-features', '--features', featureOf(name, quick)];
-  await quietly('cargo', args, { env: { ...ENV, CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS: quick ? '' : LEAN } });
-  const target = process.env.CARGO_TARGET_DIR ?? join(ROOT, 'target');
-  cpSync(join(target, TARGET, profile, 'kerfway.wasm'), join(COMPILED, `${name}.wasm`));
+  const flags = quick ? '' : LEAN;
+  await quietly('cargo', [...args, '--target-dir', folder], { env: { ...ENV, CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS: flags } });
+  cpSync(join(folder, TARGET, profile, 'kerfway.wasm'), join(COMPILED, `${name}.wasm`));
   stamp(join(COMPILED, name), quick);
 }
 
 /** The JavaScript beside a compiled wasm file, and the optimised wasm, in the folder of the sources that refer to them. */
-function bind(name, quick) {
-  if (isCurrent(join(WASM, name), quick)) return;
-  console.log(`build: ${name}.wasm`);
-  run('wasm-bindgen', [join(COMPILED, `${name}.wasm`), '--target', 'web', '--out-dir', WASM, '--out-name', name]);
+async function bind(name, quick) {
+  await quietly('wasm-bindgen', [join(COMPILED, `${name}.wasm`), '--target', 'web', '--out-dir', WASM, '--out-name', name]);
   const file = join(WASM, `${name}_bg.wasm`);
-  if (!quick) run('wasm-opt', [...OPTIMISE, file, '-o', file]);
+  if (!quick) await quietly('wasm-opt', [...OPTIMISE, file, '-o', file]);
   stamp(join(WASM, name), quick);
 }
 
