@@ -1,11 +1,13 @@
 //! The best path as flat arrays, for drawing it. Stop k cuts contour `contours[k]`, or a stretch of it.
 
+use super::halves::{Half, halves};
 use super::{Geometry, Run};
 use crate::geometry::{Path, Segment};
 use crate::machine::{AirTime, CornerKind, PLANS_ALL_LEVERS, Profile, cut_time};
 use crate::plan::{AirMoves, Move, Plan, Way};
 use crate::problem::{Item, Span, Stroke};
 use crate::sheet::Sheet;
+use crate::solve::begun;
 
 /// The path of the head.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -56,8 +58,15 @@ impl BestPath {
         let mut path = Self::default();
         // For each motion, the lengths of its stretches, each after that of the way to it with the beam off.
         let mut parts: Vec<Vec<[f64; 2]>> = Vec::new();
-        for stop in &run.best().stops {
+        let starts = if PLANS_ALL_LEVERS { begun(problem, &run.best().stops) } else { Vec::new() };
+        for (k, stop) in run.best().stops.iter().enumerate() {
             let node = &problem.nodes[stop.node as usize];
+            let begins = starts.get(k).copied().flatten();
+            if let Some(both) = begins.and_then(|begins| halves(sheet, problem, *stop, begins)) {
+                path.add_halves(both);
+                parts.extend(vec![vec![[0.0, 1.0]]; 2]);
+                continue;
+            }
             if let Some(sub_path) = problem.items.get(node.item as usize).and_then(|i| i.path(stop.node)) {
                 path.add_group(&sub_path.stretch(stop.along, stop.until), sheet, &mut parts);
                 continue;
@@ -77,7 +86,7 @@ impl BestPath {
                 _ => {}
             }
         }
-        path.leads = leads(run);
+        path.leads = leads(run, path.contours.len());
         path.joints = Geometry::of(joints(run, sheet).iter());
         if PLANS_ALL_LEVERS {
             path.loops = loops(&plan);
@@ -172,6 +181,16 @@ impl BestPath {
         }
     }
 
+    fn add_halves(&mut self, both: [Half; 2]) {
+        for Half { contour, ends: [from, to], along, until, reversed } in both {
+            self.contours.push(contour);
+            self.points.extend([from.x, from.y, to.x, to.y]);
+            self.along.push(along);
+            self.until.push(until);
+            self.reversed.push(reversed.into());
+        }
+    }
+
     fn add_spans(&mut self, spans: &[Span], sheet: &Sheet) {
         for span in spans {
             let at = |along: f64| {
@@ -192,8 +211,8 @@ fn contour_of(step: &Move) -> Option<u32> {
     if let Move::Cut { contour, .. } = step { Some(*contour) } else { None }
 }
 
-/// The leads of the stops.
-fn leads(run: &Run) -> Geometry {
+/// The leads of `stops` stops. Skeleton cuts, which come last and may have two stops each, have none.
+fn leads(run: &Run, stops: usize) -> Geometry {
     let problem = run.problem();
     let led = |i: &Item| i.leads.is_some() || i.paths.iter().any(|path| path.lead_in.is_some());
     if !problem.items.iter().any(led) {
@@ -211,6 +230,9 @@ fn leads(run: &Run) -> Geometry {
         let lead = item.and_then(|i| i.lead(stop.node)).map(|l| l.0);
         let lead = lead.cloned().unwrap_or_default();
         paths.extend([lead.lead_in, lead.lead_out].map(|path| Path::new(path, false)));
+    }
+    if PLANS_ALL_LEVERS {
+        paths.resize(2 * stops, Path::default());
     }
     Geometry::of(paths.iter())
 }
@@ -251,7 +273,6 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<[f6
     let mut goes_on = false;
     let (mut now, mut head, mut height) = (0.0, machine.home(), 0.0);
     let (mut moving, mut chained) = (false, false);
-    let mut last = None;
     // The contour whose passes go on until the next air move.
     let mut repeated = None;
     // Since a joint was left: the elements of a motion that goes on, and whether the contour does.
@@ -313,11 +334,7 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<[f6
                 motion.clear();
                 let passes =
                     sheet.contours.get(*contour as usize).map_or(1, |c| sheet.passes_at_once(c, machine));
-                // A skeleton cut that begins on another one is cut to both ends from there.
-                let known = sheet.contours.get(*contour as usize);
-                let halves = known.is_some_and(|c| PLANS_ALL_LEVERS && c.skeleton) && last == Some(*contour);
-                last = Some(*contour);
-                let again = halves || repeated == Some(*contour);
+                let again = repeated == Some(*contour);
                 repeated = (passes > 1).then_some(*contour);
                 match runs.last_mut().filter(|_| goes_on || again || after_joint) {
                     Some(run) => run[1] = end,

@@ -9,6 +9,7 @@ mod code;
 mod common_cuts;
 mod corners;
 mod error;
+mod halves;
 mod heat;
 mod joints;
 mod leads;

@@ -1,6 +1,7 @@
 //! A path from outside to start a search from: one that another search found, or a worker before it was replaced.
 
 use super::JobError;
+use super::halves::joined;
 use crate::problem::{Item, NodeId, Problem, Span, SubPath};
 use crate::solve::{Solution, Stop};
 use rustc_hash::FxHashSet;
@@ -44,6 +45,12 @@ pub(super) fn solution(warm: &WarmPath, problem: &Problem) -> Result<Solution, J
     let mut rest = all.as_slice();
     let stops = std::iter::from_fn(|| {
         let (visit, after) = rest.split_first()?;
+        let second = after.first().filter(|v| v.contour == visit.contour);
+        let halves = second.map(|v| [visit, v].map(|v| (v.along, v.until, v.reversed)));
+        if let Some(stop) = halves.and_then(|halves| joined(problem, visit.contour, halves)) {
+            rest = after.get(1..).unwrap_or_default();
+            return Some(Some(stop));
+        }
         let group = groups.iter_mut().find_map(|g| g.stop(rest));
         rest = group.map_or(after, |(_, visits)| rest.get(visits..).unwrap_or_default());
         Some(group.map_or_else(|| stop(problem, visit), |(stop, _)| Some(stop)))

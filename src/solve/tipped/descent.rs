@@ -158,6 +158,11 @@ impl<'p> Descent<'p> {
     }
 
     fn look_at_all(&mut self) {
+        if self.sequence.is_straight() {
+            // The method knows what such a sequence costs, and finds shorter ones sooner.
+            self.queue.clear();
+            return;
+        }
         let all = self.sequence.len() <= SMALL || self.sequence.is_heated();
         let looked_at = |&k: &usize| all || self.sequence.surcharge(k) > EPSILON;
         self.queue = (0..=self.sequence.len()).rev().filter(looked_at).collect();

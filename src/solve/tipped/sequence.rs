@@ -13,6 +13,7 @@ use super::visit::Visit;
 use crate::geometry::DVec2;
 use crate::machine::AirTime;
 use crate::problem::{Item, ItemId, Problem};
+use crate::solve::epsilon::EPSILON;
 use crate::solve::precedence::Precedence;
 use crate::solve::traits::Stop;
 use crate::tipping::{Piece, Zones};
@@ -157,6 +158,11 @@ impl<'p> Sequence<'p> {
     pub(super) fn surcharge(&self, k: usize) -> f64 {
         let due = self.clock.as_ref().map_or(0.0, |c| c.due(k));
         self.legs.get(k).zip(self.straights.get(k)).map_or(0.0, |(leg, straight)| leg - straight) + due
+    }
+
+    /// Whether only tipped pieces count, and none is in the way of a leg.
+    pub(super) fn is_straight(&self) -> bool {
+        self.only_tips() && (0..self.legs.len()).all(|k| self.surcharge(k) <= EPSILON)
     }
 
     /// The positions of the last cuts that free what is in the way of leg `k`, and of the last cut that is hot after it.

@@ -3,6 +3,7 @@
 use super::*;
 use crate::testkit::dialects::read_back;
 use kerfway::geometry::{DVec2, Segment};
+use kerfway::job::{BestPath, MachineChoice, PlanOptions, WarmPath};
 use kerfway::machine::{AirTime, Chains, Levers, cut_time};
 use kerfway::plan::{Violation, check, evaluate};
 use kerfway::sheet::Sheet;
@@ -103,6 +104,46 @@ fn skeleton_cuts_begin_at_the_edge_and_on_each_other() {
         assert!((found - rest).abs() < 1e-6, "{found} {rest}");
         assert_eq!(solved(drawn, &self::machine(false)).1.summary.pierces, 5);
     }
+}
+
+#[test]
+fn a_cut_from_a_crossing_is_played_as_two_stops_and_read_again() {
+    let machine = machine(true);
+    let mut job = started(drawing(&[circle([150.0, 100.0, 30.0])]), machine.clone()).unwrap();
+    let (path, plan) = BestPath::of(job.run().unwrap(), job.beam_sheet());
+    // The disc and two upright cuts; each of the two level ones begins at a crossing, and is cut to both of its ends.
+    assert_eq!(path.contours.len(), 1 + 2 + 2 * 2);
+    let cuts: Vec<[DVec2; 2]> = plan
+        .moves
+        .iter()
+        .filter_map(|m| match m {
+            Move::Cut { path, .. } => Some([path[0].start(), m.end()?]),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(cuts.len(), path.contours.len());
+    for (k, [from, to]) in cuts.iter().enumerate().skip(1) {
+        let line = &job.beam_sheet().contours[path.contours[k] as usize].path;
+        assert_eq!(&path.points[4 * k..4 * k + 4], [from.x, from.y, to.x, to.y]);
+        if (path.along[k] - path.until[k]).abs() > 1e-9 {
+            assert!(line.at(path.along[k]).unwrap().distance(*from) < 1e-9, "{k}");
+            assert!(line.at(path.until[k]).unwrap().distance(*to) < 1e-9, "{k}");
+            assert_eq!(path.reversed[k] == 1, path.until[k] < path.along[k]);
+        }
+        // What lies between two cuts is what their moves take.
+        let end = |k: usize| {
+            plan.moves.iter().enumerate().filter(|m| matches!(m.1, Move::Cut { .. })).nth(k).unwrap().0
+        };
+        let off = machine.beam_off_delay;
+        let seconds = evaluate(&plan.moves[..=end(k)], job.beam_sheet(), &machine).total_time - off;
+        assert!((path.times[2 * k + 1] - seconds).abs() < 1e-9, "{k}: {} {seconds}", path.times[2 * k + 1]);
+    }
+    let BestPath { contours, along, until, reversed, .. } = path.clone();
+    let warm = Some(WarmPath { contours, along, until, reversed });
+    let machine = MachineChoice::Profile(Box::new(machine));
+    job.start(&PlanOptions { machine, warm, ..PlanOptions::default() }).unwrap();
+    let again = BestPath::of(job.run().unwrap(), job.beam_sheet());
+    assert_eq!(again, (path, plan));
 }
 
 #[test]
