@@ -7,7 +7,7 @@ use crate::machine::{AirTime, CornerKind, PLANS_ALL_LEVERS, Profile, cut_time};
 use crate::plan::{AirMoves, Move, Plan, Way};
 use crate::problem::{Item, Span, Stroke};
 use crate::sheet::Sheet;
-use crate::solve::begun;
+use crate::solve::{Begun, begun};
 
 /// The path of the head.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -61,7 +61,7 @@ impl BestPath {
         let starts = if PLANS_ALL_LEVERS { begun(problem, &run.best().stops) } else { Vec::new() };
         for (k, stop) in run.best().stops.iter().enumerate() {
             let node = &problem.nodes[stop.node as usize];
-            let begins = starts.get(k).copied().flatten();
+            let begins = starts.get(k).copied().and_then(Begun::start);
             if let Some(both) = begins.and_then(|begins| halves(sheet, problem, *stop, begins)) {
                 path.add_halves(both);
                 parts.extend(vec![vec![[0.0, 1.0]]; 2]);
@@ -130,13 +130,16 @@ impl BestPath {
     /// the next cut.
     fn add_ways(&mut self, plan: &Plan) {
         self.ways = vec![0; self.contours.len() + 1];
-        let mut stop = 0;
+        let (mut stop, mut cut) = (0, false);
         for (index, step) in plan.moves.iter().enumerate() {
+            cut |= matches!(step, Move::Cut { .. });
             if !matches!(step, Move::Air { .. } | Move::Chain { .. }) {
                 continue;
             }
             let next = plan.moves.iter().skip(index).find_map(contour_of);
-            let rest = self.contours.iter().enumerate().skip(stop);
+            // After a cut it leads to another stop, which may be on the same contour.
+            let from = stop + usize::from(std::mem::take(&mut cut));
+            let rest = self.contours.iter().enumerate().skip(from);
             let home = self.contours.len();
             stop = next.map_or(home, |c| rest.into_iter().find(|s| *s.1 == c).map_or(stop, |s| s.0));
             let before = index.checked_sub(1).and_then(|k| plan.moves.get(k));

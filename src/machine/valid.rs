@@ -319,7 +319,6 @@ impl Profile {
         let fields = [
             ("pre_cut_time", self.pre_cut_time.is_some()),
             ("sharp_corner", self.sharp_corner.is_some()),
-            ("levers.tips.risky_moves \"avoid\"", self.levers.avoid_tips()),
             ("levers.heat", self.levers.heat.is_some()),
         ];
         fields.into_iter().find(|f| f.1).map(|f| f.0)

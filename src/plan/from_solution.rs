@@ -11,7 +11,7 @@ use crate::lead::{Lead, Run, starts_moving};
 use crate::machine::{JointKind, PLANS_ALL_LEVERS, Process, Profile};
 use crate::problem::{Item, NodeId, Problem, Stroke};
 use crate::sheet::Sheet;
-use crate::solve::{Solution, Stop, begun};
+use crate::solve::{Begun, Solution, Stop, begun};
 
 /// The plan of a solution. `solution` must belong to `problem`, and `problem` to `sheet`.
 ///
@@ -32,9 +32,10 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         let Some(node) = problem.nodes.get(stop.node as usize) else { continue };
         let contour = node.item;
         let before = last.replace(stop.node);
-        let begins = starts.get(k).copied().flatten().filter(|_| PLANS_ALL_LEVERS);
+        let how = starts.get(k).copied().filter(|_| PLANS_ALL_LEVERS);
+        let begins = how.and_then(Begun::start);
         let link = before.and_then(|before| problem.links.between(before, stop.node));
-        let link = link.filter(|_| begins.is_none());
+        let link = link.filter(|_| how.is_none_or(|how| how == Begun::Linked));
         let Some(known) = sheet.contours.get(contour as usize) else { continue };
         if let Some(path) = problem.items.get(contour as usize).and_then(|i| i.path(stop.node)) {
             if let Some((from, to)) = stop.ends(problem) {

@@ -42,7 +42,9 @@ impl<'c, 's> KerfStarts<'c, 's> {
     ) -> Option<Self> {
         let candidates = candidates.filter(|c| c.lever().edge_starts)?;
         let no_gaps = machine.leads.as_ref().is_none_or(|l| l.rules.iter().all(|r| r.overcut >= 0.0));
-        Some(Self { sheet, machine, candidates, edge: sheet.edge(), no_gaps })
+        // A place of entry is there whatever has tipped beside it by then.
+        let edge = sheet.edge().filter(|_| !machine.levers.avoid_tips());
+        Some(Self { sheet, machine, candidates, edge, no_gaps })
     }
 
     /// Adds nodes at the edge of the sheet to a contour with leads. Returns by how many seconds its cheapest node is cheaper than before.

@@ -20,7 +20,7 @@ pub use exact::{TooLarge, exact};
 pub use greedy::greedy;
 pub use insight::{Curve, Grid, Insight, Parent, Partitions};
 pub(crate) use running::Running;
-pub use tipped::{begun, priced, start};
+pub use tipped::{Begun, begun, priced, start};
 pub use traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telemetry};
 
 use crate::fields::FieldError;

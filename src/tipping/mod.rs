@@ -146,7 +146,7 @@ impl Zones {
     }
 
     /// Whether a place is nearer to a free piece than the nozzle allows.
-    fn is_near(&self, place: DVec2, is_free: &impl Fn(&Piece) -> bool) -> bool {
+    pub fn is_near(&self, place: DVec2, is_free: &impl Fn(&Piece) -> bool) -> bool {
         let mut near = false;
         self.index.visit(Aabb::of(place), |k| {
             near = self.pieces.get(k).is_some_and(|p| is_free(p) && p.distance(place) < self.reach);

@@ -5,7 +5,7 @@
 
 use super::nesting::{pairs, winding};
 use super::violation::Violation;
-use crate::geometry::{BoxIndex, DVec2, Path, Segment, distance, math};
+use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, distance, math};
 use crate::machine::{PLANS_ALL_LEVERS, Profile, RiskyMoves, SAME_SIZE, Tips};
 use crate::plan::model::{Move, Plan, Way};
 use crate::sheet::{Operation, Sheet};
@@ -63,7 +63,17 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     for (step, m) in plan.moves.iter().enumerate() {
         let from = head;
         head = m.end().unwrap_or(head);
-        if let Move::Fly { path } = m
+        if let Move::Chain { .. } = m
+            && avoids
+            && !matches!(step.checked_sub(1).and_then(|k| plan.moves.get(k)), Some(Move::Cut { .. }))
+            && let Some(piece) = (index.query(Aabb::of(from)).into_iter())
+                .filter_map(|k| pieces.get(k))
+                .find(|p| p.free_from < step && p.surely && from_piece(p.outline, from) < reach)
+        {
+            let what = "begins on a kerf beside a piece that may have tipped";
+            found.push(Violation::Tipped { step, contour: piece.contour, what, at: from });
+        }
+        if let Move::Fly { path } | Move::Chain { path } = m
             && avoids
         {
             let near = |s: &Segment| index.query(s.bounds()).into_iter().filter_map(|k| pieces.get(k));
@@ -72,7 +82,10 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                     .find(|p| p.free_from < step && p.surely && crosses(s, p.outline, reach, DEPTH, -NEARER))
             };
             if let Some((contour, at)) = path.iter().find_map(|s| Some((crossed(s)?.contour, s.at(0.5)))) {
-                let what = "runs on over a piece that may have tipped";
+                let what = match m {
+                    Move::Fly { .. } => "runs on over a piece that may have tipped",
+                    _ => "cuts through waste past a piece that may have tipped",
+                };
                 found.push(Violation::Tipped { step, contour, what, at });
             }
             continue;
@@ -218,16 +231,23 @@ fn reach(outline: &Path, direction: DVec2) -> f64 {
     outline.segments.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
 }
 
+/// The distance of a place from an outline, mm.
+fn from_outline(outline: &Path, p: DVec2) -> f64 {
+    outline.segments.iter().map(|s| s.nearest(p).1).fold(f64::INFINITY, f64::min).sqrt()
+}
+
+/// The distance of a place from a piece, mm.
+fn from_piece(outline: &Path, p: DVec2) -> f64 {
+    let d = from_outline(outline, p);
+    if d > 0.0 && winding(outline, p) != 0.0 { 0.0 } else { d }
+}
+
 /// Whether a line crosses a piece: nearer to it than `reach`, and nearer than at both ends by more than `-nearer`; or
 /// `depth` mm over it, but for a stretch at an end that is over it.
 fn crosses(line: &Segment, outline: &Path, reach: f64, depth: f64, nearer: f64) -> bool {
-    let from_outline =
-        |p: DVec2| outline.segments.iter().map(|s| s.nearest(p).1).fold(f64::INFINITY, f64::min).sqrt();
+    let from_outline = |p: DVec2| from_outline(outline, p);
     let inside = |p: DVec2| winding(outline, p) != 0.0;
-    let from_piece = |p: DVec2| {
-        let d = from_outline(p);
-        if d > 0.0 && inside(p) { 0.0 } else { d }
-    };
+    let from_piece = |p: DVec2| from_piece(outline, p);
     let nearest = outline.segments.iter().map(|s| distance(line, s).0).fold(f64::INFINITY, f64::min);
     let ends = from_piece(line.start()).min(from_piece(line.end()));
     if nearest < reach && nearest < ends + nearer {

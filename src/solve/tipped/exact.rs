@@ -3,7 +3,7 @@
 //! What a leg costs depends on the set of items that have been cut before it, and not on their order, so the states are the
 //! same as without tipped pieces. So it is with the kerfs on which a cut may begin.
 
-use super::begin::{Head, begin};
+use super::begin::{Head, Ways, begin, straight};
 use crate::geometry::DVec2;
 use crate::machine::AirTime;
 use crate::problem::{Item, ItemId, NodeId, Problem};
@@ -33,8 +33,7 @@ pub(super) fn optimum(problem: &Problem) -> Option<(Vec<Stop>, u64)> {
     }
     let visited = (0..).zip(&problem.items).filter(|(_, i)| !i.nodes.is_empty());
     let items: Vec<ItemId> = visited.map(|(id, _)| id).collect();
-    let air = AirTime::new(&problem.machine);
-    Sets { problem, zones: problem.avoided(), items, air }.solve()
+    Sets { problem, zones: problem.avoided(), items, air: straight(problem) }.solve()
 }
 
 struct Sets<'p> {
@@ -73,18 +72,18 @@ impl Sets<'_> {
     /// Seconds of the leg to a node, or home.
     fn leg(&self, head: Head, to: Option<NodeId>, entry: DVec2, cut: usize) -> f64 {
         let is_free = |piece: &Piece| piece.cut_by.iter().all(|&c| self.is_cut(c, cut));
+        let ways = Ways { air: &self.air, zones: self.zones };
         match (self.zones, to) {
-            (Some(zones), _) => zones.leg(head.at, entry, is_free).seconds,
-            (None, Some(node)) => {
-                begin(self.problem, &self.air, head, (node, entry), |i| self.is_cut(i, cut)).1
-            }
+            (_, Some(node)) => begin(self.problem, ways, head, (node, entry), |i| self.is_cut(i, cut)).1,
+            (Some(zones), None) => zones.leg(head.at, entry, is_free).seconds,
             (None, None) => self.air.seconds(head.at, entry),
         }
     }
 
     /// No leg takes less than this, s.
     fn least(&self, from: DVec2, to: DVec2) -> f64 {
-        self.zones.map_or(f64::NEG_INFINITY, |zones| zones.least(from, to))
+        let only_tips = self.problem.starts.is_empty() && self.problem.links.is_empty();
+        self.zones.filter(|_| only_tips).map_or(f64::NEG_INFINITY, |zones| zones.least(from, to))
     }
 
     fn solve(&self) -> Option<(Vec<Stop>, u64)> {

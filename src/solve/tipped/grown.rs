@@ -4,7 +4,7 @@
 //! those that are connected by starts on kerfs is, and the others come in the method's order as far as they can begin. Each is entered where
 //! the way to it, its cut, and the way to the next one take the fewest seconds.
 
-use super::begin::{Head, begin};
+use super::begin::{Head, Ways, begin, straight};
 use crate::geometry::Union;
 use crate::machine::AirTime;
 use crate::problem::{ItemId, NodeId, Problem};
@@ -15,7 +15,7 @@ pub(super) fn grown(problem: &Problem, stops: &[Stop]) -> Option<Vec<Stop>> {
     if problem.starts.is_empty() {
         return None;
     }
-    let air = AirTime::new(&problem.machine);
+    let air = straight(problem);
     let count = problem.items.len();
     let mut new = Growth {
         problem,
@@ -93,9 +93,10 @@ impl Growth<'_> {
             .get(item as usize)
             .filter(|_| self.kerfs.get(item as usize).is_some_and(|k| !k.is_empty()));
         let goal = next.and_then(|n| n.ends(problem)).map_or(problem.home, |e| e.0);
+        let ways = Ways { air: self.air, zones: problem.avoided() };
         let price = |node: NodeId| {
             let (known, item) = (problem.nodes.get(node as usize)?, problem.items.get(item as usize)?);
-            let way = begin(problem, self.air, self.head, (node, known.entry), |i| self.is_cut(i)).1;
+            let way = begin(problem, ways, self.head, (node, known.entry), |i| self.is_cut(i)).1;
             Some((node, way + item.extra(node, known.along) + self.air.seconds(known.exit, goal)))
         };
         let ways = nodes.into_iter().flat_map(|i| i.nodes.clone()).filter_map(price);

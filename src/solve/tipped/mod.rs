@@ -30,7 +30,7 @@ use super::insight::Insight;
 use super::rng::seeded;
 use super::traits::{Search, Solution, Solver, Status, Step, Stop, Telemetry};
 use crate::problem::Problem;
-pub use begin::begun;
+pub use begin::{Begun, begun};
 use descent::{Descent, PATIENCE};
 use grown::grown;
 use pace::{LocalState, Pace};

@@ -6,7 +6,7 @@
 //! then those that have been cut by then. Where cuts heat each other, the stops after
 //! the window are looked at as well, until what was changed has cooled (`clock.rs`).
 
-use super::begin::{Head, begin};
+use super::begin::{Head, Ways, begin, straight};
 use super::change::{Change, Proposal};
 use super::clock::{Clock, Window};
 use super::visit::Visit;
@@ -70,16 +70,10 @@ impl<'p> Sequence<'p> {
     }
 
     fn of(problem: &'p Problem, precedence: Rc<Precedence>, visits: Vec<Visit>) -> Self {
-        let zones = problem.avoided();
-        let air = if zones.is_some() {
-            AirTime::head_down(&problem.machine)
-        } else {
-            AirTime::new(&problem.machine)
-        };
         let mut new = Self {
             problem,
-            zones,
-            air,
+            zones: problem.avoided(),
+            air: straight(problem),
             clock: problem.cooling().map(Clock::new),
             precedence,
             legs: Vec::new(),
@@ -189,24 +183,26 @@ impl<'p> Sequence<'p> {
     }
 
     fn straight(&self, k: usize) -> f64 {
-        self.begin(k, |_| true)
+        self.begin(k, None, |_| true)
     }
 
     fn leg(&self, k: usize) -> f64 {
-        let Some((from, to)) = self.ends(k) else { return 0.0 };
-        match self.zones {
-            Some(zones) => zones.leg(from, to, |p| self.is_free(p, k)).seconds,
-            None => self.begin(k, |item| self.is_before(item, k)),
-        }
+        self.begin(k, self.zones, |item| self.is_before(item, k))
     }
 
     /// Seconds of leg `k` with the quickest way to begin the cut there, if `is_cut` says which items have been cut before.
-    fn begin(&self, k: usize, is_cut: impl Fn(ItemId) -> bool) -> f64 {
+    fn begin(&self, k: usize, zones: Option<&Zones>, is_cut: impl Fn(ItemId) -> bool) -> f64 {
         let Some((from, to)) = self.ends(k) else { return 0.0 };
-        let Some(visit) = self.visits.get(k) else { return self.air.seconds(from, to) };
+        let Some(visit) = self.visits.get(k) else {
+            return match zones {
+                Some(zones) => zones.leg(from, to, |p| self.is_free(p, k)).seconds,
+                None => self.air.seconds(from, to),
+            };
+        };
+        let ways = Ways { air: &self.air, zones };
         let left = k.checked_sub(1).and_then(|before| self.visits.get(before)).map(|v| v.stop.node);
         let head = Head { at: from, left };
-        begin(self.problem, &self.air, head, (visit.stop.node, to), is_cut).1
+        begin(self.problem, ways, head, (visit.stop.node, to), is_cut).1
     }
 
     /// Whether an item is cut before the stop at `k`.

@@ -6,11 +6,12 @@ use crate::testkit::sheets::{Builder, Dice, circle, nested_sheet, p, rectangle};
 use kerfway::job::problem_of;
 use kerfway::machine::{Levers, Profile, Tips};
 use kerfway::plan::{self, Move, Plan, Way};
-use kerfway::problem::{Item, NodeId, Problem};
+use kerfway::problem::{Item, NodeId, Problem, Start};
 use kerfway::sheet::{Pin, Sheet};
+use kerfway::tipping::Piece;
 
 /// The seconds of the best order and entries at nodes, over every order, with the entries of each order by dynamic programming.
-fn every_order(problem: &Problem) -> f64 {
+pub(super) fn every_order(problem: &Problem) -> f64 {
     let items: Vec<u32> =
         (0..).zip(&problem.items).filter(|(_, i)| !i.nodes.is_empty()).map(|(id, _)| id).collect();
     let mut least = f64::INFINITY;
@@ -40,8 +41,24 @@ fn permute(problem: &Problem, items: &[u32], order: &mut Vec<u32>, each: &mut im
 
 fn entries(problem: &Problem, order: &[u32]) -> f64 {
     let zones = problem.zones.as_ref().unwrap();
-    let leg = |from, to, k: usize| {
-        zones.leg(from, to, |piece| piece.cut_by.iter().all(|c| order[..k].contains(c))).seconds
+    let free = |k: usize| move |piece: &Piece| piece.cut_by.iter().all(|c| order[..k].contains(c));
+    let leg = |from, to, k: usize| zones.leg(from, to, free(k)).seconds;
+    let passes = |from, to, k: usize| zones.is_near(from, &free(k)) || zones.crosses(from, to, free(k));
+    // What chains and starts on kerfs take that are there by then.
+    let joined = |before: Option<NodeId>, from, node: NodeId, entry, k: usize| {
+        let link =
+            before.and_then(|b| problem.links.between(b, node)).map_or(f64::INFINITY, |link| {
+                match link.via {
+                    None if zones.crosses(from, entry, free(k)) => f64::INFINITY,
+                    None => link.seconds,
+                    Some(via) if passes(via, entry, k) => f64::INFINITY,
+                    Some(via) => link.seconds + leg(from, via, k) - zones.least(from, via),
+                }
+            });
+        let there = |s: &&Start| s.kerf.is_none_or(|kerf| order[..k].contains(&kerf));
+        let starts = problem.starts.of(node).iter().filter(there);
+        let starts = starts.filter(|s| s.from == entry || !passes(s.from, entry, k));
+        starts.map(|s| leg(from, s.from, k) + s.seconds).fold(link, f64::min)
     };
     let mut so_far: Vec<(f64, Option<NodeId>)> = vec![(0.0, None)];
     for (k, &item) in order.iter().enumerate() {
@@ -50,8 +67,8 @@ fn entries(problem: &Problem, order: &[u32]) -> f64 {
             let n = &problem.nodes[node as usize];
             let from =
                 |before: Option<NodeId>| before.map_or(problem.home, |b| problem.nodes[b as usize].exit);
-            let least =
-                so_far.iter().map(|(s, b)| s + leg(from(*b), n.entry, k)).fold(f64::INFINITY, f64::min);
+            let way = |b| leg(from(b), n.entry, k).min(joined(b, from(b), node, n.entry, k));
+            let least = so_far.iter().map(|(s, b)| s + way(*b)).fold(f64::INFINITY, f64::min);
             (least + known.extra(node, n.along), Some(node))
         };
         so_far = known.nodes.clone().map(reach).collect();

@@ -91,8 +91,8 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
     }
     l.tips = { ...l.tips };
     change(l.tips);
-    // Where cuts are left unfinished or joined through waste, risky moves are only marked.
-    if (typeof m.pre_cut_time === 'number' || l.chains) l.tips.risky_moves = 'ignore';
+    // Where cuts are left unfinished, risky moves are only marked.
+    if (typeof m.pre_cut_time === 'number') l.tips.risky_moves = 'ignore';
     // Moves that avoid tipped pieces lift the head where they cannot go around.
     if (l.tips.risky_moves !== 'ignore') [l.lift, m.z_speed] = [l.lift ?? LIFT, m.z_speed ?? Z_SPEED];
   }));
@@ -125,8 +125,7 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
       again.show(levers?.fly?.overcut ?? 0);
       chains.input.checked = Boolean(levers?.chains);
       // Chains are for machines that cut each contour in one go, and turn corners with the beam on.
-      const avoids = levers?.tips != null && levers.tips.risky_moves !== 'ignore';
-      chains.input.disabled = !levers?.chains && (typeof pre_cut_time === 'number' || sharp_corner != null || avoids || levers?.heat != null);
+      chains.input.disabled = !levers?.chains && (typeof pre_cut_time === 'number' || sharp_corner != null || levers?.heat != null);
       joined.hidden = !levers?.chains;
       chainReach.show(levers?.chains?.reach ?? CHAINS.reach);
       clearance.show(levers?.chains?.clearance ?? CHAINS.clearance);
