@@ -1,5 +1,5 @@
-// Makes pictures of the docs with the built package and page: `node scripts/pictures.mjs` after a build. docs/corners.png is written by
-// the command line; docs/tips.png is what the page shows of pieces that tip and of the ways past them.
+// Makes pictures of the docs with the built package and page: `node scripts/pictures.mjs` after a build. docs/corners.png and
+// docs/kerf-starts.png are written by the command line; docs/tips.png is what the page shows of pieces that tip and of the ways past them.
 
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -24,6 +24,15 @@ function corners(folder) {
   run(process.execPath, [join(ROOT, 'dist', 'sdk', 'cli.js'), 'plan', file, ...options, '--moves', '50000', '--seed', '1', '--png', join(ROOT, 'docs', 'corners.png'), '--quiet']);
 }
 
+/** A bar with four parts above it and three below: each begins on the kerf of the bar. */
+function kerfStarts(folder) {
+  const file = join(folder, 'bar.dxf');
+  const part = (x, y, width, height) => polygon([[x, y], [x + width, y], [x + width, y + height], [x, y + height]]);
+  writeFileSync(file, dxf(part(10, 10, 180, 20), ...[0, 1, 2, 3].map((k) => part(20 + 45 * k, 38, 25, 25)), ...[0, 1, 2].map((k) => part(20 + 60 * k, -18, 30, 20))));
+  const options = ['--machine', 'fibre-6kw-thick', '--chains', '15', '--chain-clearance', '1', '--edge-starts'];
+  run(process.execPath, [join(ROOT, 'dist', 'sdk', 'cli.js'), 'plan', file, ...options, '--moves', '100000', '--seed', '1', '--png', join(ROOT, 'docs', 'kerf-starts.png'), '--quiet']);
+}
+
 /** A sheet of 100 contours on the page: pieces that tip in amber, moves around them, and over them with the head lifted. */
 async function tips() {
   const drawing = readFileSync(join(ROOT, 'tests', 'fixtures', 'sheets', 'sheet_100.dxf'));
@@ -39,6 +48,7 @@ async function tips() {
 await main(async () => {
   const folder = mkdtempSync(join(tmpdir(), 'kerfway-'));
   corners(folder);
+  kerfStarts(folder);
   rmSync(folder, { recursive: true });
   await tips();
 });
