@@ -147,3 +147,6 @@ fn stretches(tour: &mut Tour, other: &TourSnapshot) -> Vec<Stretch> {
     tour.priced += looked / 16;
     found
 }
+
+#[cfg(test)]
+mod tests;
