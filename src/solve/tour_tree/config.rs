@@ -36,7 +36,8 @@ pub(super) struct CycleConfig {
     pub(super) temperature: f64,
     /// Temperature of later cycles that keep precedence, relative to the first: they refine the best tour.
     pub(super) reheat: f64,
-    /// The same while nesting is ignored: hot enough for another route; recombination restores the details.
+    /// The same while nesting is ignored or there is no precedence: hot enough for another route; recombination restores the
+    /// details.
     pub(super) reheat_free: f64,
 }
 

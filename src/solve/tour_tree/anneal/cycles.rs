@@ -43,7 +43,7 @@ impl Annealing<'_> {
             });
             let temperature = match self.cycle {
                 0 => 1.0,
-                _ if self.tour.ignores_nesting => config.reheat_free,
+                _ if self.tour.ignores_nesting || !self.tour.space.precedence.any => config.reheat_free,
                 _ => config.reheat,
             };
             CyclePlan { temperature, ruin_percent: short.ruin_percent, kicks }
