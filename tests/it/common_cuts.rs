@@ -14,11 +14,14 @@
 )]
 
 use crate::testkit::outlines::covers;
-use crate::testkit::plates::{grid, pinwheel, rectangle, thick};
+use crate::testkit::plates::{grid, pinwheel, rectangle, thick, together};
+use crate::testkit::rng::seeded;
 use kerfway::geometry::DVec2;
 use kerfway::job::{BestPath, Job, OutputKind, WarmPath};
+use kerfway::machine::{Levers, MovingPierce, Profile};
 use kerfway::plan::{self, Move, Plan, Violation};
 use kerfway::sheet::{CommonCuts, Sheet};
+use rand::RngExt;
 
 /// Length of all lines of a grid.
 fn union(m: usize, n: usize) -> f64 {
@@ -192,7 +195,7 @@ fn a_missing_element_is_found() {
 fn g_code_covers_every_outline() {
     for outlines in [grid(3, 2), bricks(), pinwheel()] {
         let mut job = job(&outlines, CommonCuts::Best, None);
-        job.run_mut().unwrap().step(20_000);
+        job.run_mut().unwrap().step(300_000);
         covers(&outlines, &job.output(OutputKind::Gcode).unwrap());
     }
 }
@@ -232,5 +235,33 @@ fn parts_that_meet_within_the_tolerance_are_a_group() {
             assert_eq!((job.sheet().groups.len(), plan.summary.pierces), (1, pierces), "{turned} {decimals}");
             covers(&turned_outlines, &job.output(OutputKind::Gcode).unwrap());
         }
+    }
+}
+
+/// What is cut while a group is left has places of its own for entering and leaving if it begins moving: reversed, it is entered where it was.
+#[test]
+fn searches_end_with_moving_starts_beside_contours_that_are_cut_together() {
+    let moving = |levers: Levers| Levers { moving_pierce: Some(MovingPierce { overcut: 3.0 }), ..levers };
+    let machine = Profile { levers: moving(together().levers), ..together() };
+    for seed in 0..6 {
+        let mut rng = seeded(seed);
+        let mut drawn = |from: f64, to: f64| rng.random_range(from..to);
+        let mut outlines = grid(2, 2);
+        for k in 0..60 {
+            // Two in each part, the others beside all of them.
+            let (part, beside) = (DVec2::new(f64::from(k % 2), f64::from(k / 2 % 2)), f64::from(k - 8));
+            let (corner, size) = if k < 8 {
+                (DVec2::new(101.0 + 9.0 * f64::from(k / 4), 101.0) + part * DVec2::new(20.0, 10.0), 4.0)
+            } else {
+                (DVec2::new(145.0 + 12.0 * (beside % 8.0), 60.0 + 12.0 * (beside / 8.0).floor()), 8.0)
+            };
+            let at = corner + DVec2::new(drawn(0.0, 3.0), drawn(0.0, 3.0));
+            outlines.push(rectangle([at.x, at.y, drawn(2.0, size), drawn(2.0, size)]));
+        }
+        let mut job = crate::testkit::plates::job(&outlines, CommonCuts::Best, machine.clone(), None);
+        job.run_mut().unwrap().step(300_000);
+        assert_eq!(job.sheet().groups.len(), 1);
+        let plan = job.plan().unwrap();
+        assert_eq!(plan.summary.moving_starts, 60);
     }
 }

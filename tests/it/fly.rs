@@ -495,3 +495,34 @@ fn every_dialect_writes_cuts_on_the_run_or_refuses_them() {
     refused.dedup();
     assert_eq!(refused, ["linuxcnc-spindle", "marlin-fan", "template"]);
 }
+
+/// Outlines of nine sides, two of them along x, each `lean` mm farther along x on the far side; every second one leans the other way.
+fn leaning(count: u32, pitch: f64, lean: f64, turn: f64) -> Sheet {
+    let mut b = Builder::new();
+    let u = math::unit(turn);
+    for k in 0..count {
+        let lean = if k % 2 == 0 { -lean } else { lean };
+        let corners = [(-2.0, 0.0), (2.0, 0.0), (3.0, 2.0), (3.5, 4.0), (lean + 2.0, 8.0), (lean - 2.0, 8.0)];
+        let more = [(-3.6, 5.0), (-3.5, 4.0), (-3.0, 2.0)];
+        let at = p(50.0 + pitch * f64::from(k), 50.0);
+        let corners: Vec<DVec2> =
+            corners.iter().chain(&more).map(|&(x, y)| p(400.0, 400.0) + u.rotate(at + p(x, y))).collect();
+        b.cut(polygon(&corners), None);
+    }
+    b.sheet
+}
+
+#[test]
+fn rows_whose_far_sides_are_farther_apart_than_the_reach_are_not_run_there() {
+    let machine = flying(20.0, 0.3);
+    for (lean, longest) in [(0.5, 19.0 + 1.0), (1.2, 19.0)] {
+        for turn in [0.0, 0.5 * PI, PI, 1.5 * PI] {
+            let plan = checked(&leaning(4, 19.0, lean, turn), &machine);
+            assert!(plan.summary.fly_cuts > 0, "{lean} {turn}");
+            let ways =
+                plan.moves.iter().filter_map(|m| if let Move::Fly { path } = m { Some(path) } else { None });
+            let way = ways.map(|path| path.iter().map(Segment::length).sum::<f64>()).fold(0.0, f64::max);
+            assert!(way <= longest, "{way} mm");
+        }
+    }
+}

@@ -94,12 +94,17 @@ fn rows_along(work: &Work, contours: &[u32], u: DVec2) -> Vec<Flown> {
         rest = after;
         let mut line = line.to_vec();
         sort_by_two(&mut line, |l| [l.at.x, 0.0]);
-        let near = |a: &Loop, b: &Loop| work.lever.reaches(b.at.x - a.at.x);
-        for row in line.chunk_by(near).filter(|row| row.len() > 1) {
+        for row in line.chunk_by(|a, b| follows(work, a, b)).filter(|row| row.len() > 1) {
             rows.extend(row_of(work, row, u));
         }
     }
     rows
+}
+
+/// Whether the head runs on from one contour to the next. On either side of the contours it is another way.
+fn follows(work: &Work, a: &Loop, b: &Loop) -> bool {
+    let way = b.at.x - a.at.x;
+    way >= 0.0 && work.lever.reaches(way)
 }
 
 /// One row as a group.
@@ -112,7 +117,7 @@ fn row_of(work: &Work, row: &[Loop], u: DVec2) -> Option<Flown> {
     // On the other side, the contours are on the right of the direction: on the left of the opposite one.
     let other: Option<Vec<Loop>> = row.iter().rev().map(|l| around(l.contour, &of(l)?.path, -u)).collect();
     if let Some(other) = other
-        && other.windows(2).all(|w| (w[0].at.y - w[1].at.y).abs() <= ON_LINE && w[0].at.x < w[1].at.x)
+        && other.windows(2).all(|w| (w[0].at.y - w[1].at.y).abs() <= ON_LINE && follows(work, &w[0], &w[1]))
     {
         ways.extend(both_ways(work, &other).into_iter().flatten());
     }

@@ -145,18 +145,24 @@ impl Tree {
         }
     }
 
-    /// Extra cost of a stretch when it is reversed, s: paths forth and back through pierce groups differ.
+    /// Extra cost of a stretch when it is reversed, s: paths forth and back through pierce groups differ, and so do legs that cost more one
+    /// way than the other, as between contours with leads.
     pub(super) fn reversal_cost(&self, space: &Space, first: u32, last: u32) -> f64 {
         let mut sum = 0.0;
         let mut stop = first;
-        while !space.direction_dependent.is_empty() {
+        while !space.direction_dependent.is_empty() || !space.travel.symmetric {
             if space.two_ends(stop) {
                 sum += space.extra(stop, self.at(stop) ^ 1) - space.extra(stop, self.at(stop));
             }
             if stop == last {
                 break;
             }
-            stop = self.next(stop);
+            let next = self.next(stop);
+            if !space.travel.symmetric {
+                let back = (self.exit_reversed(space, next), self.entry_reversed(space, stop));
+                sum += space.travel.seconds(back.0, back.1) - self.edge(space, stop, next);
+            }
+            stop = next;
         }
         sum
     }

@@ -138,10 +138,7 @@ fn draw(rng: &mut Rng, tree: &Tree, g: Context, first: u32) -> Option<ChainMove>
 /// Seconds that a chain move gains.
 fn gain(space: &Space, tree: &Tree, m: ChainMove) -> f64 {
     let ChainMove { first, last, reversed, target, .. } = m;
-    let (mut enter, mut leave) = (tree.entry(first), tree.exit(last));
-    if reversed {
-        (enter, leave) = (leave, enter);
-    }
+    let (enter, leave) = tree.ends(space, (first, last), reversed);
     let over = if reversed { tree.reversal_cost(space, first, last) } else { 0.0 };
     let given = freed(space, tree, first, last) - over;
     match target {

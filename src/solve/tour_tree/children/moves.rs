@@ -22,13 +22,16 @@ use crate::solve::epsilon::EPSILON;
 pub(super) fn improve(g: Context, tree: &mut Tree, queue: &mut Queue, touch: u32) -> f64 {
     let mut total = 0.0;
     while tree.is_live(touch) {
+        let before = cfg!(debug_assertions).then(|| tree.cost(g.space));
         let gain = improve_entry(g, tree, queue, touch)
             .or_else(|| relocate(g, tree, queue, touch))
             .or_else(|| two_opt(g, tree, queue, touch));
-        match gain {
-            Some(g) => total += g,
-            None => break,
-        }
+        let Some(gain) = gain else { break };
+        debug_assert!(
+            before.is_some_and(|before| (before - tree.cost(g.space) - gain).abs() <= EPSILON * before.max(1.0)),
+            "a move of touch {touch} does not gain {gain}"
+        );
+        total += gain;
     }
     total
 }
@@ -155,21 +158,21 @@ fn consider(
             continue;
         }
         tree.priced += 1;
-        // A single stop with two ends keeps its direction.
-        let kept = if single && g.space.two_ends(enter) { tree.extra(g.space, first) } else { 0.0 };
         let (at, place, seconds) = if g.space.leave_places.is_group(b) {
             let Some((place, at, seconds)) = tree.hang_on(g.space, b, (first, last, enter)) else { continue };
-            (at, place, seconds + kept)
-        } else if first == last && !g.space.two_ends(enter) {
+            (at, place, seconds)
+        } else if first == last && !g.space.leaves_elsewhere(enter) {
             let bridge = g.bridges.of(touch, k);
             (Some(bridge.from), bridge.to, bridge.seconds)
         } else {
             let around = Gap { from: tree.exit(last), to: Some(tree.entry(first)) };
             let (place, seconds) = g.space.best_entry(b, around, freed - leaving(g.space, b) - *most);
-            (None, place, seconds + kept)
+            (None, place, seconds)
         };
+        // A single stop that is left elsewhere than it is entered keeps its place.
+        let kept = if single && at.is_none() { tree.extra(g.space, first) } else { 0.0 };
         let m = ChainMove { target: Target::Child(b, place), at, ..move_after(b) };
-        let gain = freed - seconds - leaving(g.space, b);
+        let gain = freed - seconds - kept - leaving(g.space, b);
         if gain > *most && may_move(g, tree, m) {
             *most = gain;
             *best = Some(m);
@@ -202,8 +205,7 @@ fn consider_gap(
         return;
     }
     for reversed in [false, true] {
-        let ends = (tree.entry(first), tree.exit(last));
-        let (enter, leave) = if reversed { (ends.1, ends.0) } else { ends };
+        let (enter, leave) = tree.ends(g.space, (first, last), reversed);
         let on = gap.to.map_or(0.0, |to| g.space.travel.seconds(leave, to));
         let over = if reversed { tree.reversal_cost(g.space, first, last) } else { 0.0 };
         let gain = given - g.space.travel.seconds(gap.from, enter) - on - over;

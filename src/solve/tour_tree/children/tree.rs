@@ -92,6 +92,25 @@ impl Tree {
         self.exit[touch as usize]
     }
 
+    /// Where the head would enter a stop in a reversed stretch: a contour with leads is entered at its lead-in all the same.
+    pub(super) fn entry_reversed(&self, space: &Space, stop: u32) -> Place {
+        if space.is_directed(stop) { self.entry(stop) } else { self.exit(stop) }
+    }
+
+    /// Where the head would leave a stop in a reversed stretch.
+    pub(super) fn exit_reversed(&self, space: &Space, stop: u32) -> Place {
+        if space.is_directed(stop) { self.exit(stop) } else { self.entry(stop) }
+    }
+
+    /// Where the head enters and leaves a stretch as it is, or reversed.
+    pub(super) fn ends(&self, space: &Space, (first, last): (u32, u32), reversed: bool) -> (Place, Place) {
+        if reversed {
+            (self.entry_reversed(space, last), self.exit_reversed(space, first))
+        } else {
+            (self.entry(first), self.exit(last))
+        }
+    }
+
     pub(super) fn anchors(&self, item: u32) -> &[u32] {
         &self.anchors[item as usize]
     }

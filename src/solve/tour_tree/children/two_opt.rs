@@ -34,8 +34,9 @@ pub(super) fn two_opt(g: Context, tree: &mut Tree, queue: &mut Queue, touch: u32
                 if a == last || first == last {
                     continue;
                 }
-                let taken = g.space.travel.seconds(tree.exit(a), tree.exit(last))
-                    + tree.leg_seconds(g.space, tree.entry(first), d, tree.entry(d));
+                let (enter, leave) = tree.ends(g.space, (first, last), true);
+                let taken = g.space.travel.seconds(tree.exit(a), enter)
+                    + tree.leg_seconds(g.space, leave, d, tree.entry(d));
                 let gain = tree.edge(g.space, a, first) + tree.edge(g.space, last, d)
                     - taken
                     - tree.reversal_cost(g.space, first, last);
