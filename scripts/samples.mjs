@@ -69,8 +69,8 @@ export const SAMPLES = {
     path([[580, 30], [770, 30], [770, 120], [670, 120], [670, 210], [580, 210]])),
 };
 
-/** Decimals that a sample of the first visit keeps: a tenth of a micrometre matters to nobody, and every digit is transferred. */
-const DECIMALS = 4;
+/** Decimals that a sample of the first visit keeps: a nanometre matters to nobody, and every digit is transferred. */
+const DECIMALS = 6;
 /** The variables of the header that it keeps: the others are what ezdxf writes for CAD programs. */
 const VARIABLES = ['$ACADVER', '$DWGCODEPAGE', '$HANDSEED', '$INSUNITS', '$MEASUREMENT'];
 
@@ -99,7 +99,7 @@ function slim(text) {
   return `${kept.join('\n')}\n`;
 }
 
-/** A drawing of the tests as a sample: the same entities with coordinates rounded to 1e-4 mm, which is two fifths less to transfer. */
+/** A drawing of the tests as a sample: the same entities with coordinates rounded to 1e-6 mm, which is a third less to transfer. */
 function rounded(text) {
   const lines = text.split('\n');
   const isCoordinate = (code) => code >= 10 && code < 60;
