@@ -5,7 +5,7 @@
 //! direction that comes first and in the corner at which they begin.
 
 use super::work::{Flown, Work, apart, sort_by_two};
-use crate::geometry::{DVec2, Segment, math};
+use crate::geometry::{DVec2, Segment, Union, math};
 use crate::problem::sub_path::{Span, Stroke};
 use std::f64::consts::PI;
 
@@ -45,25 +45,26 @@ type Run = Vec<Side>;
 pub(super) fn grids(work: &Work, contours: &[u32]) -> Vec<Flown> {
     let runs = runs(work, contours);
     // Contours that have sides in one run belong together.
-    let place = |c: u32| contours.binary_search(&c).ok();
-    let mut of: Vec<usize> = (0..contours.len()).collect();
+    let place = |c: u32| contours.binary_search(&c).ok().and_then(|k| u32::try_from(k).ok());
+    let mut together = Union::new(contours.len());
     let mut joined = vec![false; contours.len()];
     for run in &runs {
         let mut members = run.iter().filter_map(|s| place(s.contour));
         let Some(first) = members.next() else { continue };
         for member in members {
-            (joined[first], joined[member]) = (true, true);
-            let (a, b) = (root(&mut of, first), root(&mut of, member));
-            of[a.max(b)] = a.min(b);
+            (joined[first as usize], joined[member as usize]) = (true, true);
+            together.join(first, member);
         }
     }
+    let of = together.numbered();
     let mut clusters: Vec<(Vec<u32>, Vec<Run>)> = vec![(Vec::new(), Vec::new()); contours.len()];
     for (k, &contour) in contours.iter().enumerate().filter(|(k, _)| joined[*k]) {
-        clusters[root(&mut of, k)].0.push(contour);
+        clusters[of[k] as usize].0.push(contour);
     }
     for run in runs {
-        if let Some(k) = run.first().and_then(|s| place(s.contour)).filter(|&k| joined[k]) {
-            clusters[root(&mut of, k)].1.push(run);
+        if let Some(k) = run.first().and_then(|s| place(s.contour)).map(|k| k as usize).filter(|&k| joined[k])
+        {
+            clusters[of[k] as usize].1.push(run);
         }
     }
     clusters
@@ -71,14 +72,6 @@ pub(super) fn grids(work: &Work, contours: &[u32]) -> Vec<Flown> {
         .filter(|c| !c.0.is_empty())
         .filter_map(|(contours, runs)| grid(work, contours, &runs))
         .collect()
-}
-
-fn root(of: &mut [usize], mut k: usize) -> usize {
-    while of[k] != k {
-        of[k] = of[of[k]];
-        k = of[k];
-    }
-    k
 }
 
 /// All runs: sides on one line with ways of at most the lever's reach between them.
