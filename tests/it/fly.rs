@@ -97,6 +97,54 @@ fn a_row_of_round_holes_is_one_motion_along_its_tangent() {
 }
 
 #[test]
+fn a_row_is_found_from_either_side() {
+    // Discs of four sizes that hang from one line, and two outlines of ten sides that lean towards each other.
+    let hung = |turned: bool| {
+        let mut b = Builder::new();
+        for (k, r) in [2.0, 3.0, 1.5, 2.5].into_iter().enumerate() {
+            b.cut(circle(p(10.0 * k as f64, if turned { r } else { -r }), r), None);
+        }
+        b.sheet
+    };
+    let lean = |turned: bool| {
+        let points = [
+            p(-3.0, 0.0),
+            p(3.0, 0.0),
+            p(5.5, 5.0),
+            p(8.0, 10.0),
+            p(10.0, 15.0),
+            p(11.0, 20.0),
+            p(5.0, 20.0),
+            p(3.0, 15.0),
+            p(1.0, 10.0),
+            p(-1.5, 5.0),
+        ];
+        let mut b = Builder::new();
+        let shape = |mirrored: bool| {
+            let mut all: Vec<DVec2> =
+                points.iter().map(|q| if mirrored { p(30.0 - q.x, q.y) } else { *q }).collect();
+            all.iter_mut().filter(|_| turned).for_each(|q| *q = -*q);
+            if mirrored {
+                all.reverse();
+            }
+            polygon(&all)
+        };
+        b.cut(shape(false), None);
+        b.cut(shape(true), None);
+        b.sheet
+    };
+    for turned in [false, true] {
+        let machine = flying(20.0, 0.0);
+        let found = [hung(turned), lean(turned)].map(|sheet| checked(&sheet, &machine).summary);
+        assert_eq!(
+            found.each_ref().map(|s| (s.moving_starts, s.fly_cuts)),
+            [(1, 3), (1, 1)],
+            "turned: {turned}"
+        );
+    }
+}
+
+#[test]
 fn an_overcut_is_cut_on_the_run() {
     let machine = flying(20.0, 0.4);
     let plan = checked(&plate(5, 2, 6.0, 0.0, round), &machine);

@@ -2,12 +2,14 @@
 //! the line, goes once around the contour, and leaves along the line again, so that nothing slows it down but the contour itself.
 //! Round holes, slots in a line and equal outlines with a straight side on the line are such rows.
 //!
-//! Each row has four ways: on either side of its contours, in either direction.
+//! Each row has four ways: on either side of its contours, in either direction. Where the contours are on a line, or near enough to each other,
+//! on one of their sides alone, it has two.
 
 use super::work::{Flown, Work, apart, sort_by_two};
 use crate::geometry::{BoxIndex, DVec2, Path, Segment, math};
 use crate::order::{real, sort_by};
 use crate::problem::sub_path::{Span, Stroke, SubPath};
+use rustc_hash::FxHashSet;
 use std::f64::consts::FRAC_PI_2;
 
 /// Largest distance of the outermost places from one line, mm: over 1 mm, the bend is below the one at which controllers slow down.
@@ -22,6 +24,9 @@ const DIRECTIONS: usize = 2;
 const STEP: f64 = 1e-3;
 /// Largest number of angles that are counted: on nested sheets every pair of neighbours has its own, and none is a row's.
 const MOST_ANGLES: usize = 100;
+
+/// Rows that save seconds within this save the same.
+const SAME_TIME: f64 = 1e-9;
 
 /// A contour around which the head runs from a place where it runs along the row.
 #[derive(Clone)]
@@ -40,7 +45,7 @@ struct Loop {
 pub(super) fn rows(work: &Work, contours: &[u32]) -> Vec<Flown> {
     let mut best: (f64, Vec<Flown>) = (0.0, Vec::new());
     for u in directions(work, contours) {
-        let found = rows_along(work, contours, u);
+        let found = from_both_sides(work, contours, u);
         let saved = found.iter().map(|r| r.saved).sum::<f64>();
         if saved > best.0 {
             best = (saved, found);
@@ -81,6 +86,24 @@ fn directions(work: &Work, contours: &[u32]) -> Vec<DVec2> {
     first.chain(slanted.take(DIRECTIONS).flat_map(|a| [a, a + FRAC_PI_2]).map(math::unit)).collect()
 }
 
+/// The rows on the right of a direction and those on the left of it; of those that share contours, the one that saves most.
+fn from_both_sides(work: &Work, contours: &[u32], u: DVec2) -> Vec<Flown> {
+    let mut found = rows_along(work, contours, u);
+    found.extend(rows_along(work, contours, -u));
+    let mut order: Vec<(usize, f64)> = found.iter().map(|row| row.saved).enumerate().collect();
+    sort_by(&mut order, |(_, saved)| [real(-(saved / SAME_TIME).round()), 0, 0]);
+    let mut taken = FxHashSet::default();
+    let mut chosen = vec![false; found.len()];
+    for (k, _) in order {
+        if found[k].contours.iter().all(|c| !taken.contains(c)) {
+            taken.extend(found[k].contours.iter().copied());
+            chosen[k] = true;
+        }
+    }
+    found.into_iter().zip(chosen).filter_map(|(row, is_chosen)| is_chosen.then_some(row)).collect()
+}
+
+/// The rows of contours whose outermost places on the right of a direction lie on a line.
 fn rows_along(work: &Work, contours: &[u32], u: DVec2) -> Vec<Flown> {
     // With the contours on the left of the row's direction.
     let mut loops: Vec<Loop> =

@@ -15,6 +15,7 @@
 //! its place.
 
 mod clearance;
+mod facing;
 mod findings;
 mod offset;
 mod raw;

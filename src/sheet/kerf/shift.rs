@@ -1,22 +1,27 @@
 //! Shifts of whole parts that bring them one kerf from a neighbour, so that one line between them cuts both (`levers.common_cuts`).
 //!
-//! Parts are looked at from the lower left on. Each may move towards those before it, across the straight sides that face each
-//! other, at most by the distance that the machine states from where it is drawn, and once along each of two directions that are
-//! square to each other. It never comes nearer than a kerf to anything: neither to parts that have moved, nor to those that have not, nor to marks
-//! and open cuts beside it. What lies in a part moves with it.
+//! Each part stays, or moves across a straight side that faces one of a neighbour until they are one kerf apart, and from there once more in a
+//! direction that is square to the first: at most by the distance that the machine states from where it is drawn. It never comes nearer
+//! than a kerf to anything: neither to other parts, where they are by then, nor to marks and open cuts beside it. What lies in a part
+//! moves with it.
+//!
+//! Parts that can meet are chosen together, by a beam search: one part after the other, from the lower left on and again from the upper right
+//! on, keeping the choices by which the most length is one kerf apart, and of these the ones that move the least.
 
-use super::super::model::{Contour, Operation, Sheet};
-use crate::geometry::{Aabb, Affine, BoxIndex, DVec2, Path, Segment, distance};
+use super::super::model::Sheet;
+use super::facing::{Moved, PARALLEL, Parts, ROUNDING};
+use crate::geometry::{Affine, DVec2, Union};
 use crate::order::{real, sort_by};
 
-/// Least length over which two sides face each other, mm: less saves nothing.
-const FACING: f64 = 1.0;
-/// Sides are parallel, or directions square, if sine or cosine are below this: what six decimals of a drawing leave of a short side.
-const PARALLEL: f64 = 1e-5;
-/// Most elements of an outline of a part that is moved: every pair with those of its neighbours is compared.
-const MOST: usize = 200;
-/// Rounding of distances, mm.
-const ROUNDING: f64 = 1e-6;
+/// Most choices that are kept after each part of those that can meet. Wider finds more, and takes longer
+/// (`cargo test --features png --test it shift_choice`).
+const WIDEST: usize = 128;
+/// Bounds the work for many parts that can meet: their number times the choices kept.
+const WORK: usize = 2_000;
+/// How often the parts are placed again.
+const PASSES: usize = 6;
+/// Lengths that differ by less are the same, mm.
+const SAME_LENGTH: f64 = 1e-3;
 
 /// A part that would stand one kerf from a neighbour.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,47 +32,166 @@ pub(crate) struct Shift {
     pub(crate) by: DVec2,
 }
 
-/// The parts of a sheet as they are moved.
-struct Parts<'s> {
-    sheet: &'s Sheet,
-    width: f64,
-    /// Distances within this are one kerf, mm.
-    same: f64,
-    most: f64,
-    /// By contour: the outermost one around it, or itself.
-    root: Vec<u32>,
-    /// By contour: how far its part is moved.
+/// A choice for the parts so far.
+#[derive(Clone, Default)]
+struct Choice {
+    /// By part: how far it is moved.
     by: Vec<DVec2>,
-    boxes: BoxIndex,
+    /// How much longer than in the drawing the sides one kerf apart are, mm.
+    gain: f64,
+    /// Sum of the distances by which parts are moved, mm.
+    moved: f64,
 }
 
 /// The shifts, each of at most `most` mm, that bring parts `width` mm from a neighbour; distances that differ by up to `same` mm are one.
 pub(crate) fn shifts(sheet: &Sheet, width: f64, most: f64, same: f64) -> Vec<Shift> {
-    let up = |c: &u32| sheet.contours.get(*c as usize).and_then(|c| c.inside).filter(|o| o != c);
-    let count = sheet.contours.len();
-    let ids = || (0..).take(count);
-    let root = ids().map(|c| std::iter::successors(Some(c), up).take(count).last().unwrap_or(c)).collect();
-    let boxes = BoxIndex::new(sheet.contours.iter().map(|c| c.bounds));
-    let mut parts = Parts { sheet, width, same, most, root, by: vec![DVec2::ZERO; count], boxes };
-    let mut order: Vec<(u32, DVec2)> = ids()
+    let parts = Parts::new(sheet, width, most, same);
+    let mut order: Vec<(u32, DVec2)> = (0..)
         .zip(&sheet.contours)
-        .filter(|(id, c)| parts.root.get(*id as usize) == Some(id) && is_part(c))
+        .filter(|(id, _)| parts.is_part(*id))
         .map(|(id, c)| (id, c.bounds.min))
         .collect();
     sort_by(&mut order, |(id, low)| [real(low.x + low.y), (*id).into(), 0]);
-    let mut done = vec![false; count];
     let mut found = Vec::new();
-    for (id, _) in order {
-        let by = parts.moved(id, &done);
-        if by != DVec2::ZERO {
-            found.push(Shift { contour: id, by });
-        }
-        if let Some(by_part) = parts.by.get_mut(id as usize) {
-            *by_part = by;
-        }
-        done[id as usize] = true;
+    for group in groups(&parts, &order, sheet.contours.len()) {
+        let by = chosen(&parts, &group, sheet.contours.len());
+        let shifts = group.into_iter().zip(by).map(|(contour, by)| Shift { contour, by });
+        found.extend(shifts.filter(|s| s.by != DVec2::ZERO));
     }
     found
+}
+
+/// The parts that can meet, in their order, group by group.
+fn groups(parts: &Parts<'_>, order: &[(u32, DVec2)], count: usize) -> Vec<Vec<u32>> {
+    let mut together = Union::new(count);
+    for &(id, _) in order {
+        for other in parts.near(id).into_iter().filter(|&other| parts.is_part(other)) {
+            together.join(id, other);
+        }
+    }
+    let of = together.numbered();
+    let mut groups = vec![Vec::new(); count];
+    for &(id, _) in order {
+        if let Some(group) = of.get(id as usize).and_then(|&k| groups.get_mut(k as usize)) {
+            group.push(id);
+        }
+    }
+    groups.retain(|group| group.len() > 1);
+    groups
+}
+
+/// How far each part of a group is moved.
+fn chosen(parts: &Parts<'_>, group: &[u32], count: usize) -> Vec<DVec2> {
+    let mut slots = vec![None; count];
+    for (slot, &id) in (0..).zip(group) {
+        if let Some(place) = slots.get_mut(id as usize) {
+            *place = Some(slot);
+        }
+    }
+    let upwards: Vec<(usize, u32)> = group.iter().copied().enumerate().collect();
+    let downwards: Vec<(usize, u32)> = upwards.iter().rev().copied().collect();
+    let mut best = Vec::new();
+    for orders in [[&upwards, &downwards], [&downwards, &upwards]] {
+        let mut choice = Choice { by: vec![DVec2::ZERO; group.len()], ..Choice::default() };
+        for (pass, order) in orders.into_iter().cycle().take(PASSES).enumerate() {
+            let Some(next) = search(parts, order, &slots, choice.clone(), pass == 0) else { break };
+            let is_better = next.gain > choice.gain + SAME_LENGTH;
+            choice = next;
+            if !is_better {
+                break;
+            }
+        }
+        best.push(choice);
+    }
+    best_first(&mut best, |c| (c.gain, c.moved));
+    best.into_iter().next().map(|c| c.by).unwrap_or_default()
+}
+
+/// The choice by which the most length is one kerf apart, of those that are kept when parts are placed again in this order. `may_follow`: a part
+/// that is not placed yet is in no one's way, because it may still move out of it.
+fn search(
+    parts: &Parts<'_>,
+    order: &[(usize, u32)],
+    slots: &[Option<u32>],
+    first: Choice,
+    may_follow: bool,
+) -> Option<Choice> {
+    let kept = (WORK / order.len()).clamp(1, WIDEST);
+    let mut beam = vec![first];
+    let mut left: Vec<bool> = slots.iter().map(|slot| may_follow && slot.is_some()).collect();
+    for &(slot, id) in order {
+        let near = parts.near(id);
+        let mut in_way = near.clone();
+        in_way.retain(|&other| parts.root(other).is_none_or(|root| left.get(root as usize) != Some(&true)));
+        if let Some(is_left) = left.get_mut(id as usize) {
+            *is_left = false;
+        }
+        let mut next: Vec<(usize, DVec2, f64, f64)> = Vec::new();
+        for (from, choice) in beam.iter().enumerate() {
+            let moved = Moved { slots, by: &choice.by };
+            let shared = |by| parts.shared(&parts.facing(id, by, &near, &moved));
+            let before = choice.by.get(slot).copied().unwrap_or_default();
+            let (gain, way) = (choice.gain - shared(before), choice.moved - before.length());
+            for by in places(parts, id, before, [&near, &in_way], &moved) {
+                next.push((from, by, gain + shared(by), way + by.length()));
+            }
+        }
+        best_first(&mut next, |(_, _, gain, moved)| (*gain, *moved));
+        next.truncate(kept);
+        let with = |(from, by, gain, moved): (usize, DVec2, f64, f64)| {
+            let mut choice = beam.get(from)?.clone();
+            *choice.by.get_mut(slot)? = by;
+            Some(Choice { gain, moved, ..choice })
+        };
+        beam = next.into_iter().filter_map(with).collect();
+    }
+    beam.into_iter().next()
+}
+
+/// The greatest gain first, and the least movement among equal ones.
+fn best_first<T>(items: &mut Vec<T>, of: impl Fn(&T) -> (f64, f64)) {
+    sort_by(items, |item| {
+        let (gain, moved) = of(item);
+        [real(-(gain / SAME_LENGTH).round()), real(moved), 0]
+    });
+}
+
+/// Where a part may stand, as distances from where it is drawn: where it is, where it is drawn, and one kerf from one or two neighbours.
+fn places(
+    parts: &Parts<'_>,
+    id: u32,
+    now: DVec2,
+    [near, in_way]: [&[u32]; 2],
+    moved: &Moved<'_>,
+) -> Vec<DVec2> {
+    let mut places: Vec<DVec2> = Vec::new();
+    // Where nothing has moved, parts may be as near as they are drawn.
+    let (mut moved_ones, as_it_is) = (in_way.to_vec(), now == DVec2::ZERO);
+    moved_ones.retain(|&other| !as_it_is || parts.by(other, moved) != DVec2::ZERO);
+    if parts.is_clear(id, now, &moved_ones, moved) {
+        places.push(now);
+    }
+    let add = |to: DVec2, places: &mut Vec<DVec2>| {
+        let is_new = to != now && places.iter().all(|p| (*p - to).length() > ROUNDING);
+        if is_new && parts.is_clear(id, to, in_way, moved) {
+            places.push(to);
+        }
+    };
+    add(DVec2::ZERO, &mut places);
+    let onwards = |from: DVec2| {
+        // Away only from a part that has come too near: those that are drawn so stay.
+        let facing = parts.facing(id, from, near, moved).into_iter();
+        let facing = facing.filter(|f| f.way > parts.same || f.is_moved && f.way < -parts.same);
+        let within = move |to: &(DVec2, DVec2)| to.0.length() <= parts.most + ROUNDING;
+        facing.map(move |f| (from + f.normal * f.way, f.normal)).filter(within)
+    };
+    for (first, normal) in onwards(DVec2::ZERO) {
+        let second = onwards(first).filter(|(_, n)| n.dot(normal).abs() < PARALLEL).map(|(to, _)| to);
+        for to in [first].into_iter().chain(second) {
+            add(to, &mut places);
+        }
+    }
+    places
 }
 
 impl Sheet {
@@ -85,107 +209,5 @@ impl Sheet {
             contour.bounds = contour.path.bounds();
         }
         sheet
-    }
-}
-
-/// Whether a contour without another one around it is a part that may be moved.
-fn is_part(c: &Contour) -> bool {
-    c.operation == Operation::Cut && c.path.closed && !c.self_crossing && c.path.segments.len() <= MOST
-}
-
-impl Parts<'_> {
-    fn outline(&self, id: u32) -> Option<&Path> {
-        self.sheet.contours.get(id as usize).map(|c| &c.path)
-    }
-
-    /// How far a contour has been moved with its part.
-    fn by(&self, id: u32) -> DVec2 {
-        let root = self.root.get(id as usize).copied().unwrap_or(id);
-        self.by.get(root as usize).copied().unwrap_or_default()
-    }
-
-    /// Where a part is moved, next to those that are done.
-    fn moved(&self, id: u32, done: &[bool]) -> DVec2 {
-        let mut by = DVec2::ZERO;
-        // The directions in which it stands one kerf from a neighbour.
-        let mut held: Vec<DVec2> = Vec::new();
-        for _ in 0..2 {
-            let mut ways = Vec::new();
-            for (normal, way) in self.ways(id, by, done) {
-                if way.abs() <= self.same {
-                    held.push(normal);
-                } else if way > 0.0 {
-                    ways.push((way, normal));
-                }
-            }
-            sort_by(&mut ways, |(way, normal)| [real(*way), real(normal.x), real(normal.y)]);
-            let next =
-                ways.into_iter().map(|(way, normal)| (by + normal * way, normal)).find(|(to, normal)| {
-                    let square = held.iter().all(|h| h.dot(*normal).abs() < PARALLEL);
-                    square && to.length() <= self.most + ROUNDING && self.is_clear(id, *to)
-                });
-            let Some((to, normal)) = next else { break };
-            by = to;
-            held.push(normal);
-        }
-        by
-    }
-
-    /// The other contours near a part that is moved by `by`.
-    fn near(&self, id: u32, by: DVec2) -> Vec<u32> {
-        let bounds = self.outline(id).map_or(Aabb::EMPTY, Path::bounds);
-        let around = Aabb { min: bounds.min + by, max: bounds.max + by }.grown(self.width + 2.0 * self.most);
-        let mut near: Vec<u32> =
-            self.boxes.query(around).into_iter().filter_map(|k| u32::try_from(k).ok()).collect();
-        near.retain(|&other| self.root.get(other as usize) != Some(&id));
-        sort_by(&mut near, |&c| [c.into(), 0, 0]);
-        near
-    }
-
-    /// For each side of a part that faces one of a part that is done: the direction towards it, and how far it is more than a kerf away.
-    fn ways(&self, id: u32, by: DVec2, done: &[bool]) -> Vec<(DVec2, f64)> {
-        let mut ways = Vec::new();
-        let sides = |id: u32, by: DVec2| {
-            let segments = self.outline(id).map_or(&[][..], |p| p.segments.as_slice());
-            let lines = segments.iter().filter(|s| matches!(s, Segment::Line(_)) && s.length() > FACING);
-            lines.map(move |s| (s.start() + by, s.end() + by)).collect::<Vec<_>>()
-        };
-        let own = sides(id, by);
-        for other in self.near(id, by).into_iter().filter(|&o| done.get(o as usize) == Some(&true)) {
-            for (c, d) in sides(other, self.by(other)) {
-                for &(a, b) in &own {
-                    let along = (b - a).normalize_or_zero();
-                    // Outlines run counter-clockwise, so outside is on the right, and sides that face each other run against each other.
-                    let (outside, across) = (-along.perp(), (d - c).normalize_or_zero());
-                    let (from, to) = ((d - a).dot(along), (c - a).dot(along));
-                    let facing = to.min((b - a).length()) - from.max(0.0);
-                    if across.dot(along) < 0.0 && across.perp_dot(along).abs() < PARALLEL && facing > FACING {
-                        let gap = (c - a).dot(outside);
-                        if gap > 0.0 && gap <= self.width + self.most + self.same {
-                            ways.push((outside, gap - self.width));
-                        }
-                    }
-                }
-            }
-        }
-        ways
-    }
-
-    /// Whether a part that is moved by `by` stays a kerf away from everything else.
-    fn is_clear(&self, id: u32, by: DVec2) -> bool {
-        let Some(own) = self.outline(id) else { return false };
-        let moved = Affine::translation(by).path(own, 0.0);
-        self.near(id, by).into_iter().all(|other| {
-            let Some(path) = self.outline(other) else { return true };
-            let path = Affine::translation(self.by(other)).path(path, 0.0);
-            path.segments.iter().all(|s| {
-                let reach = s.bounds().grown(self.width);
-                moved
-                    .segments
-                    .iter()
-                    .filter(|t| t.bounds().overlaps(&reach))
-                    .all(|t| distance(s, t).0 >= self.width - self.same - ROUNDING)
-            })
-        })
     }
 }

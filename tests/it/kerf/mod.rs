@@ -19,5 +19,6 @@ mod made;
 mod of_all_kinds;
 mod one_kerf_apart;
 mod outlines_alone;
+mod shift_choice;
 mod shifted;
 mod together;

@@ -200,24 +200,29 @@ fn with_leads_they_are_pierced_in_the_waste() {
     }
 }
 
+/// Divides one of some rectangles, unless it is small, leaving a gap between the two. `below`: a random number below another.
+pub(super) fn divide(all: &mut Vec<[f64; 4]>, gap: f64, below: &mut impl FnMut(i32) -> i32) {
+    let k = below(all.len() as i32) as usize;
+    let [x, y, w, h] = all[k];
+    let share = 0.3 + 0.1 * f64::from(below(5));
+    if w > h && w > 16.0 {
+        let part = (share * w).round();
+        all[k] = [x, y, part, h];
+        all.push([x + part + gap, y, w - part - gap, h]);
+    } else if h > 16.0 {
+        let part = (share * h).round();
+        all[k] = [x, y, w, part];
+        all.push([x, y + part + gap, w, h - part - gap]);
+    }
+}
+
 /// A rectangle cut in two again and again, the parts some way apart, some left out and some with a hole.
 pub(super) fn random(seed: u64, gap: f64) -> Vec<Vec<DVec2>> {
     let mut rng = seeded(seed);
     let mut below = |n: i32| rng.random_range(0..n);
     let mut all = vec![[100.0, 100.0, 90.0, 70.0]];
     for _ in 0..2 + below(9) {
-        let k = below(all.len() as i32) as usize;
-        let [x, y, w, h] = all[k];
-        let share = 0.3 + 0.1 * f64::from(below(5));
-        if w > h && w > 16.0 {
-            let part = (share * w).round();
-            all[k] = [x, y, part, h];
-            all.push([x + part + gap, y, w - part - gap, h]);
-        } else if h > 16.0 {
-            let part = (share * h).round();
-            all[k] = [x, y, w, part];
-            all.push([x, y + part + gap, w, h - part - gap]);
-        }
+        divide(&mut all, gap, &mut below);
     }
     if all.len() > 3 && below(2) == 0 {
         all.remove(below(all.len() as i32) as usize);
