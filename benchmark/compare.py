@@ -1,13 +1,15 @@
 """Plans of other programs for the instances, written into FOLDER/PROGRAM: `npm run benchmark -- compare FOLDER`.
 
     nearest    the nearest contour next, deepest nesting first, each from its nearest corner: what most programs do (in this file)
-    vpype      its linesort, one layer for each depth of nesting (pip install vpype)
-    exact      HiGHS, on small instances of the track ECP without nesting (exact.py; pip install highspy networkx numpy)
-    lkh        LKH through elkai, after Noon and Bean, on GTSPLIB (pip install elkai numpy)
-    ortools    OR-tools' routing, on GTSPLIB (pip install ortools numpy)
-    pyvrp      PyVRP, on GTSPLIB (pip install pyvrp numpy)
+    vpype      its linesort, one layer for each depth of nesting
+    svg2gcode  its search for the shortest travel, one drawing for each depth of nesting (svg2gcode.py)
+    exact      HiGHS, on small instances of the track ECP without nesting (exact.py)
+    lkh        LKH through elkai, after Noon and Bean, on GTSPLIB
+    ortools    OR-tools' routing, on GTSPLIB
+    pyvrp      PyVRP, on GTSPLIB
+    glns       GLNS, on GTSPLIB (glns.py)
 
-A program that is not installed is named and left out.
+A program that is not installed is named, with how to get it, and skipped. Each plan is checked by check.py, and its value printed.
 """
 
 import argparse
@@ -15,12 +17,18 @@ import gzip
 import importlib.util
 import json
 import math
+import shutil
+import statistics
+import subprocess
 import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 sys.path += [str(HERE), str(HERE.parent / "benches" / "solve")]
+import check  # noqa: E402
 import exact  # noqa: E402
+import glns  # noqa: E402
+import svg2gcode  # noqa: E402
 
 
 def depths(contours):
@@ -38,13 +46,23 @@ def corners(contour):
     return [contour["start"]] + [piece.get("line", piece.get("arc")) for piece in contour["path"]][:-1]
 
 
+def backwards(start, path):
+    """The path from its end to its start."""
+    ends = [start] + [piece.get("line", piece.get("arc")) for piece in path]
+    turned = lambda piece, to: {**piece, "arc": to, "ccw": not piece["ccw"]} if "arc" in piece else {"line": to}  # noqa: E731
+    return ends[-1], [turned(piece, to) for piece, to in zip(reversed(path), reversed(ends[:-1]))]
+
+
 def plan_of(instance, visits):
-    """Moves that cut whole contours, each from the corner of that number, forwards."""
+    """Moves that cut whole contours, each from its corner of that number forwards, or from its end to its start where that is None."""
     moves = []
     for index, corner in visits:
         contour = instance["contours"][index]
-        path = contour["path"][corner:] + contour["path"][:corner]
-        moves += [{"kind": "air", "to": corners(contour)[corner]}, {"kind": "pierce"}, {"kind": "cut", "path": path}]
+        if corner is None:
+            start, path = backwards(contour["start"], contour["path"])
+        else:
+            start, path = corners(contour)[corner], contour["path"][corner:] + contour["path"][:corner]
+        moves += [{"kind": "air", "to": start}, {"kind": "pierce"}, {"kind": "cut", "path": path}]
     return moves + ([{"kind": "air", "to": instance["home"]}] if instance["closed"] else [])
 
 
@@ -92,6 +110,10 @@ def vpype_sorted(instance):
     return plan_of(instance, visits)
 
 
+def by_svg2gcode(instance):
+    return plan_of(instance, [(k, None if turned else 0) for k, turned in svg2gcode.order(instance, depths(instance["contours"]))])
+
+
 def length(instance, moves):
     """Length of the air moves."""
     here, total = instance["home"], 0.0
@@ -115,43 +137,79 @@ def tours(solver):
     return solve
 
 
-CUTTING = {"nearest": (nearest, "math"), "vpype": (vpype_sorted, "vpype"), "exact": (exact.plan, "highspy")}
-GTSP = {"lkh": (tours("elkai"), "elkai"), "ortools": (tours("ortools"), "ortools"), "pyvrp": (tours("pyvrp"), "pyvrp")}
+def importable(*modules):
+    return lambda: all(importlib.util.find_spec(module) for module in modules)
+
+
+# Of each program: what makes a plan for an instance, whether it is installed, and how to get it.
+CUTTING = {
+    "nearest": (nearest, lambda: True, ""),
+    "vpype": (vpype_sorted, importable("vpype"), "pip install vpype"),
+    "svg2gcode": (by_svg2gcode, lambda: shutil.which("svg2gcode"), "cargo install svg2gcode-cli, 0.0.19 or later for its search"),
+    "exact": (exact.plan, importable("highspy", "networkx", "numpy"), "pip install highspy networkx numpy"),
+}
+GTSP = {
+    "lkh": (tours("elkai"), importable("elkai", "numpy"), "pip install elkai numpy"),
+    "ortools": (tours("ortools"), importable("ortools", "numpy"), "pip install ortools numpy"),
+    "pyvrp": (tours("pyvrp"), importable("pyvrp", "numpy"), "pip install pyvrp numpy"),
+    "glns": (glns.tour, glns.is_installed, "install Julia from julialang.org, then: julia -e 'using Pkg; Pkg.add(\"GLNS\")'"),
+}
+
+
+def plan(name, program, entry, data, args):
+    """The plan of a program, or None where it has none for this instance."""
+    if entry["track"] == "GTSP":
+        unpacked = args.folder / f"{entry['name']}.gtsp"
+        unpacked.write_bytes(data)
+        try:
+            return {"by": name, "tour": program(str(unpacked), args.seconds)}
+        finally:
+            unpacked.unlink()
+    instance = json.loads(data)
+    moves = program(instance)
+    if moves is None:
+        return None
+    by = svg2gcode.version()[0] if name == "svg2gcode" else name
+    return {"by": by, "moves": moves, **({"bound": length(instance, moves)} if name == "exact" else {})}
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("folder", type=Path)
     parser.add_argument("--only", default="")
+    parser.add_argument("--by", default="", help="only this program")
     parser.add_argument("--seconds", type=float, default=10)
     args = parser.parse_args()
-    missing = {name: module for name, (_, module) in {**CUTTING, **GTSP}.items() if importlib.util.find_spec(module) is None}
-    for name, module in missing.items():
-        print(f"{name}: not run; pip install {module}")
+    everyone = {**CUTTING, **GTSP}
+    if args.by and args.by not in everyone:
+        sys.exit(f"There is no program {args.by}; the programs are {', '.join(everyone)}.")
+    chosen = {name: found for name, found in everyone.items() if args.by in ("", name)}
+    missing = {name: how for name, (_, installed, how) in chosen.items() if not installed()}
+    for name, how in missing.items():
+        print(f"{name}: skipped, because it is not installed; to get it: {how}")
+    args.folder.mkdir(parents=True, exist_ok=True)
+    above = {}
     entries = json.loads((HERE / "instances.json").read_text())["instances"]
     for entry in (e for e in entries if args.only in e["name"]):
         data = gzip.decompress((HERE / entry["file"]).read_bytes())
-        for name, (program, _) in (GTSP if entry["track"] == "GTSP" else CUTTING).items():
-            if name in missing:
+        fitting = GTSP if entry["track"] == "GTSP" else CUTTING
+        for name in (name for name in chosen if name in fitting and name not in missing):
+            try:
+                found = plan(name, chosen[name][0], entry, data, args)
+            except (RuntimeError, subprocess.SubprocessError) as error:
+                print(f"{entry['name']:24} {name:10} no plan: {error}", flush=True)
                 continue
-            plan = {"by": name}
-            if entry["track"] == "GTSP":
-                unpacked = args.folder / f"{entry['name']}.gtsp"
-                args.folder.mkdir(parents=True, exist_ok=True)
-                unpacked.write_bytes(data)
-                plan["tour"] = program(str(unpacked), args.seconds)
-                unpacked.unlink()
-            else:
-                instance = json.loads(data)
-                plan["moves"] = program(instance)
-                if plan["moves"] is None:
-                    continue
-                if name == "exact":
-                    plan["bound"] = length(instance, plan["moves"])
+            if found is None:
+                continue
             out = args.folder / name / f"{entry['name']}.json.gz"
             out.parent.mkdir(parents=True, exist_ok=True)
-            out.write_bytes(gzip.compress(json.dumps(plan).encode()))
-            print(f"{entry['name']:24} {name}", flush=True)
+            out.write_bytes(gzip.compress(json.dumps(found).encode()))
+            value = check.check(check.instance_of(entry["name"])[0], found)
+            per_cent = 100 * (value / entry["best"]["value"] - 1)
+            above.setdefault((entry["track"], name), []).append(per_cent)
+            print(f"{entry['name']:24} {name:10} {value:14.3f} {per_cent:+10.3f} % above the best known", flush=True)
+    for (track, name), all_of_it in sorted(above.items()):
+        print(f"{track:24} {name:10} {statistics.mean(all_of_it):+25.3f} % in the mean of {len(all_of_it)}")
 
 
 if __name__ == "__main__":

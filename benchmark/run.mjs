@@ -3,7 +3,7 @@
 //     check FOLDER                       checks the plans of a folder with check.py, which needs Python and nothing else
 //     solve FOLDER [--seconds S]         writes Kerfway's plans into a folder [--only NAME] [--seed N] [--track T]
 //     trace [--only NAME]                writes how our values fall over the seconds into `traces`, for the plots of the site
-//     compare FOLDER [--only NAME]       writes the plans of other programs into folders below, those that are installed
+//     compare FOLDER [--only NAME]       writes the plans of other programs into folders below, those that are installed [--by PROGRAM]
 //     keep FOLDER                        takes the plans of a folder that are sound and better into `best`
 //     generate FOLDER --seed N           writes fresh instances and our plans for them [--count K] [--seconds S]
 //     freeze                             makes the instances anew, for the maintainers of the benchmark
@@ -38,8 +38,8 @@ const COMMANDS = {
       console.log(`${entry.name}: ${trace.length} values`);
     }
   },
-  async compare({ folder, only, seconds }) {
-    run('python3', [join(HERE, 'compare.py'), needed(folder), '--seconds', String(seconds), ...(only === '' ? [] : ['--only', only])]);
+  async compare({ folder, only, by, seconds }) {
+    run('python3', [join(HERE, 'compare.py'), needed(folder), '--seconds', String(seconds), '--only', only, '--by', by]);
   },
   async keep({ folder }) {
     const { keep } = await import('./keep.mjs');
@@ -71,13 +71,13 @@ const COMMANDS = {
 main(async () => {
   const { values, positionals } = parseArgs({
     allowPositionals: true,
-    options: { only: { type: 'string' }, track: { type: 'string' }, seconds: { type: 'string' }, seed: { type: 'string' }, count: { type: 'string' } },
+    options: { only: { type: 'string' }, by: { type: 'string' }, track: { type: 'string' }, seconds: { type: 'string' }, seed: { type: 'string' }, count: { type: 'string' } },
   });
   const [name, folder] = positionals;
   const command = Object.hasOwn(COMMANDS, name ?? '') ? COMMANDS[name] : undefined;
   if (command === undefined) throw new Stop(`Which command? npm run benchmark -- ${Object.keys(COMMANDS).join('|')}`);
   await command({
-    ...{ folder: folder && resolve(folder), only: values.only ?? '', track: values.track },
+    ...{ folder: folder && resolve(folder), only: values.only ?? '', by: values.by ?? '', track: values.track },
     ...{ seconds: positive('seconds', values.seconds, 10), seed: positive('seed', values.seed, 1), count: positive('count', values.count, 50) },
   });
 });
