@@ -8,6 +8,7 @@ mod best_path;
 mod code;
 mod common_cuts;
 mod corners;
+mod cutting_times;
 mod error;
 mod halves;
 mod heat;

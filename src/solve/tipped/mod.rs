@@ -3,7 +3,7 @@
 //!
 //! What a move costs depends on what has been cut before it, which a method that prices moves by their ends cannot see. So two
 //! searches take turns: the method itself, for which every move is straight with the head down, nothing is hot (that is never more
-//! than the real cost), and cuts begin on no kerf but the last one, and a local search on the exact seconds of the whole sequence (`descent.rs`), which
+//! than the real cost), and cuts begin on no kerf but the last one, and a local search on the exact seconds of the whole sequence (`descent`), which
 //! begins where the method's best is and changes order, entries and directions where a move is in the way of a tipped piece, a cut
 //! has to wait, or the kerf it would begin on is cut later. Where cuts begin on kerfs, the method's order is also tried as one that grows from kerf
 //! to kerf (`grown.rs`). Where cuts heat each other, it begins as well at a path that always goes to where it can go on soonest (`soonest`).

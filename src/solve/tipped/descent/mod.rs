@@ -2,32 +2,23 @@
 //!
 //! A queue holds the legs to be looked at: those that take longer than a straight move or than a start on a kerf that is not cut yet, and all where cuts heat each other. For each, other entries at its ends are
 //! tried, and other orders nearby: what blocks it is cut later, a stop or two go elsewhere, a stretch is reversed, two stretches
-//! are exchanged. When the queue is empty, a kick near such a leg exchanges two short stretches; the search repairs what it
-//! can, and the result stays if it is no worse.
+//! are exchanged (`near.rs`). When the queue is empty, a kick near such a leg exchanges two short stretches; the search repairs what it
+//! can, and the result stays if it is no worse (`kicks.rs`).
+
+mod kicks;
+mod near;
 
 use super::change::{Change, Proposal};
-use super::entries::entries;
 use super::neighbours::Neighbours;
 use super::patches::{Patch, patches};
 use super::sequence::Sequence;
-use super::visit::Visit;
 use crate::problem::ItemId;
 use crate::solve::epsilon::EPSILON;
-use crate::solve::rng::{Draw, Rng};
+use crate::solve::rng::Rng;
 use crate::solve::traits::Stop;
 
-/// Stops near a leg in the sequence that are tried as other ends of changes.
-const NEAR: usize = 8;
 /// Longest window of a change: a longer one is priced too slowly for what it gains.
 const LONGEST: usize = 400;
-/// Stops all over the sequence that are tried for a cut that has to wait.
-const SPREAD: usize = 48;
-/// Longest stretch of a kick.
-const KICK: usize = 5;
-/// In sequences up to this length with cuts that heat each other, kicks exchange any stretches, several times at once: what is due
-/// hides what most single changes gain, and there are not many orders.
-const FEW: usize = 12;
-const FEW_KICKS: usize = 3;
 /// In sequences up to this length, straight legs are looked at as well.
 const SMALL: usize = 100;
 
@@ -250,52 +241,6 @@ impl<'p> Descent<'p> {
         self.queue.clear();
     }
 
-    /// Exchanges two short stretches near a leg that is not straight. Returns whether there is one.
-    fn kick(&mut self) -> bool {
-        let length = self.sequence.len();
-        if length < 3 {
-            return false;
-        }
-        let from = self.rng.below(length + 1);
-        let mut onwards = (from..=length).chain(0..from);
-        // What is not due any more may still be far away from what is next to it.
-        let anywhere = self.sequence.is_heated() && self.rng.below(2) == 0;
-        let at = onwards.find(|&k| anywhere || self.sequence.surcharge(k) > EPSILON);
-        let Some(at) = at.or(self.sequence.is_heated().then_some(from)) else { return false };
-        let seconds = self.sequence.total();
-        self.kicked = Some((Vec::new(), seconds));
-        if self.sequence.is_heated() && length <= FEW {
-            (0..=self.rng.below(FEW_KICKS)).for_each(|_| self.kick_few());
-            return true;
-        }
-        let (first, second) = (1 + self.rng.below(KICK), 1 + self.rng.below(KICK));
-        let low = (at + self.rng.below(KICK)).saturating_sub(KICK + first).min(length - 2);
-        let middle = (low + first).min(length - 1);
-        let proposal = if self.rng.below(4) == 0 {
-            Proposal::Reverse { low, high: (low + first + 1).min(length) }
-        } else {
-            Proposal::Exchange { low, middle, high: (middle + second).min(length) }
-        };
-        self.make(proposal, f64::NEG_INFINITY);
-        true
-    }
-
-    /// Exchanges any two stretches, and enters a stop by any of its nodes.
-    fn kick_few(&mut self) {
-        let length = self.sequence.len();
-        let low = self.rng.below(length - 1);
-        let middle = low + 1 + self.rng.below(length - 1 - low);
-        let high = middle + 1 + self.rng.below(length - middle);
-        self.make(Proposal::Exchange { low, middle, high }, f64::NEG_INFINITY);
-        let k = self.rng.below(length);
-        let Some(nodes) = self.sequence.item(k).map(|i| i.nodes.clone()) else { return };
-        let Some(node) = nodes.clone().nth(self.rng.below(nodes.len().max(1))) else { return };
-        let stop = Stop::at(self.sequence.problem, node);
-        if let Some(visit) = Visit::new(self.sequence.problem, stop) {
-            self.make(Proposal::Enter { at: k, visit }, f64::NEG_INFINITY);
-        }
-    }
-
     /// Makes a change if it gains more than `gain`, and puts what it touches on the queue.
     fn make(&mut self, proposal: Proposal, gain: f64) -> bool {
         if proposal.width() > self.longest || !self.sequence.may_gain(proposal, gain) {
@@ -317,78 +262,5 @@ impl<'p> Descent<'p> {
             changes.push(change);
         }
         true
-    }
-
-    /// Tries the changes near leg `k` until one gains.
-    fn improve(&mut self, k: usize) -> bool {
-        if self.enter_better(k) || k.checked_sub(1).is_some_and(|before| self.enter_better(before)) {
-            return true;
-        }
-        // What is in the way is cut later.
-        for blocker in self.sequence.blockers(k) {
-            for later in k..=(k + NEAR).min(self.sequence.len()) {
-                for stretch in 1..=2 {
-                    let (low, middle) = (blocker, blocker + stretch);
-                    if self.make(Proposal::Exchange { low, middle, high: later }, EPSILON) {
-                        return true;
-                    }
-                }
-            }
-        }
-        // What it might begin on is cut earlier, or it comes later.
-        for later in self.sequence.later_kerfs(k) {
-            for stretch in 1..=3 {
-                let (first, last) = ((later + 1).saturating_sub(stretch), (k + 1).saturating_sub(stretch));
-                let earlier = Proposal::Exchange { low: k, middle: first, high: later + 1 };
-                let put_off = Proposal::Exchange { low: last, middle: k + 1, high: later + 1 };
-                if self.make(earlier, EPSILON) || self.make(put_off, EPSILON) {
-                    return true;
-                }
-            }
-        }
-        for other in self.others(k) {
-            let (low, high) = (k.min(other), k.max(other));
-            if self.make(Proposal::Reverse { low, high }, EPSILON) {
-                return true;
-            }
-            for stretch in 1..=3 {
-                // The stops at the beginning of the window go to its end, or those at its end to its beginning.
-                for middle in [low + stretch, high.saturating_sub(stretch)] {
-                    if self.make(Proposal::Exchange { low, middle, high }, EPSILON) {
-                        return true;
-                    }
-                }
-            }
-        }
-        false
-    }
-
-    /// Positions near leg `k`, in the sequence and on the sheet.
-    fn others(&mut self, k: usize) -> Vec<usize> {
-        let length = self.sequence.len();
-        let mut others: Vec<usize> = (k.saturating_sub(NEAR)..=(k + NEAR).min(length)).collect();
-        for end in [k.checked_sub(1), Some(k)].into_iter().flatten() {
-            let Some(visit) = self.sequence.visit(end) else { continue };
-            for &item in self.neighbours.of(visit.item) {
-                others.extend(self.sequence.position(item).into_iter().flat_map(|p| [p, p + 1]));
-            }
-        }
-        if self.longest > LONGEST {
-            // Around its neighbours there may be no time at which it is cold. What nothing waits for may be put off until then.
-            let ends: Vec<usize> = (0..length).filter(|&p| self.sequence.is_last(p)).collect();
-            let apart = ends.len().div_ceil(SPREAD).max(1);
-            others.extend(ends.into_iter().skip(k % apart).step_by(apart));
-        }
-        others.retain(|&other| other != k && other <= length);
-        others
-    }
-
-    /// Tries other entries of the stop at `k`.
-    fn enter_better(&mut self, k: usize) -> bool {
-        let mut better = false;
-        for visit in entries(&self.sequence, k) {
-            better |= self.make(Proposal::Enter { at: k, visit }, EPSILON);
-        }
-        better
     }
 }
