@@ -1,8 +1,8 @@
 // The search against the best values known and against other solvers, on every kind of instance, natively and in wasm
 // under Node:
 //
-//     npm run bench -- solve [sheets|grids|holes|pool|qu-du|proofs|bounds|stops|gtsplib|pcgtsp|large|scaling]... [--seconds S] [--seeds K]
-//                            [--only NAME] [--cpu] [--data FOLDER] [--tsplib FOLDER]
+//     npm run bench -- solve [sheets|grids|holes|pool|qu-du|proofs|bounds|bounds-gtsplib|stops|gtsplib|pcgtsp|large|scaling]...
+//                            [--seconds S] [--seeds K] [--only NAME] [--cpu] [--data FOLDER] [--tsplib FOLDER]
 //
 // `--cpu` counts processor time instead of the time of the clock, for a machine that others use too (Linux only).
 // `large`: the instances of GTSPLIB with 200 sets and more, made from the files of TSPLIB in the folder that `--tsplib` names.
@@ -42,12 +42,17 @@ const SETS = {
   'qu-du': quDu,
   proofs,
   bounds,
+  'bounds-gtsplib': boundsOfGtsplib,
   stops,
   gtsplib: (options) => library('gtsplib', '.gtsp', options, true),
   pcgtsp: (options) => library('pcgtsp', '.pcglns', options, false),
   large,
   scaling,
 };
+
+/** Seconds of a run, by set, where they are not given. */
+const SECONDS = { 'bounds-gtsplib': 120 };
+const USUAL_SECONDS = 10;
 
 export async function bench(args) {
   const { values, positionals } = parseArgs({
@@ -69,7 +74,7 @@ export async function bench(args) {
   build();
   const chosen = positionals.length > 0 ? positionals : Object.keys(SETS).filter((name) => name !== 'large' || values.tsplib !== undefined);
   for (const name of chosen) {
-    const { seconds = 10, seeds = 5, only, cpu, tsplib } = values;
+    const { seconds = SECONDS[name] ?? USUAL_SECONDS, seeds = 5, only, cpu, tsplib } = values;
     await SETS[name]({ seconds: Number(seconds), seeds: Number(seeds), only, cpu, tsplib, instances });
     instances.report();
   }
@@ -227,6 +232,27 @@ async function bounds({ only, instances }) {
     return line;
   });
   table('Lower bounds of the sheets in wasm: share of the best known air length', ['', 'best known', 'on the way', 'at the end'], lines);
+}
+
+/** The lower bounds of GTSPLIB's instances in wasm: by walks until they end, then by shares, within some seconds of processor time each. */
+function boundsOfGtsplib({ seconds, only, instances }) {
+  instances.file('gtsplib/best_known.json');
+  const shares = [];
+  const lines = instances.list('gtsplib', '.gtsp', only).sort(bySize).map((path) => {
+    const file = instances.find(path);
+    if (file === null) return [basename(path, '.gtsp'), NOT_RUN, ...Array(3).fill('')];
+    const { known } = natively(file, { seconds: 0, seeds: 1 })[0];
+    const found = rows(process.execPath, [join(HERE, 'instance-bounds.mjs'), file, String(known), String(seconds)])[0];
+    const best = Math.max(found.walks.bound, found.shares?.bound ?? 0) / known;
+    const cell = (kind) => (kind === null ? 'none' : `${kind.bound.toFixed(1)}, ${((100 * kind.bound) / known).toFixed(1)} % after ${kind.seconds.toFixed(1)} s`);
+    const line = [basename(file, '.gtsp'), String(known), cell(found.walks), cell(found.shares), `${(100 * best).toFixed(1)} %`];
+    shares.push(best);
+    console.log(line.join('  '));
+    return line;
+  });
+  if (shares.length > 0) lines.push([`mean of ${shares.length}`, '', '', '', `${(100 * mean(shares)).toFixed(1)} %`]);
+  const columns = ['', 'best known', 'walks', 'proven by the certificate of the shares', 'the greater one'];
+  table(`GTSPLIB: lower bounds in wasm within ${seconds} s of the processor`, columns, lines);
 }
 
 /** The search's own bound and that by stops, natively, as shares of the best value known. */

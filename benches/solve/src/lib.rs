@@ -1,8 +1,9 @@
-//! The search on instances of every kind, natively and in wasm, for `npm run bench -- solve`.
+//! The search and the lower bounds on instances of every kind, natively and in wasm, for `npm run bench -- solve`.
 
 pub mod source;
 pub mod trace;
 
+use kerfway::plan::{LowerBound, ShareBound};
 use kerfway::solve::{self, Search, Status};
 use source::Source;
 use std::process::ExitCode;
@@ -53,5 +54,54 @@ impl Runner {
     /// Length of the best solution, checked by code that shares nothing with the search.
     pub fn value(&self) -> Result<f64, String> {
         self.source.checked(self.search.best())
+    }
+}
+
+/// The lower bounds of one instance: by walks, and by shares where they apply. The caller has the clock.
+#[wasm_bindgen]
+pub struct Bounds {
+    source: Source,
+    known: f64,
+    walks: LowerBound,
+    shares: Option<Box<ShareBound>>,
+}
+
+#[wasm_bindgen]
+impl Bounds {
+    /// Starts on the only instance in a file, whose best known value sets the length of steps.
+    pub fn open(file: &str, bytes: Vec<u8>, known: f64) -> Result<Bounds, String> {
+        let source = Source::of(file, bytes)?.pop().ok_or_else(|| format!("{file} holds no instance."))?;
+        let walks = LowerBound::new(&source.problem);
+        Ok(Bounds { source, known, walks, shares: None })
+    }
+
+    /// Looks at about `work` more numbers of the walks. Returns whether more work may help.
+    #[wasm_bindgen(js_name = improveWalks)]
+    pub fn improve_walks(&mut self, work: u32) -> bool {
+        self.walks.improve(work, self.known)
+    }
+
+    /// No tour is shorter, by the walks.
+    pub fn walks(&self) -> f64 {
+        self.walks.value()
+    }
+
+    /// Starts the shares. Returns whether they apply to the instance.
+    #[wasm_bindgen(js_name = startShares)]
+    pub fn start_shares(&mut self) -> bool {
+        self.shares = ShareBound::new(&self.source.problem).map(Box::new);
+        self.shares.is_some()
+    }
+
+    /// Looks at about `work` more numbers of the shares. Returns whether more work may help.
+    #[wasm_bindgen(js_name = improveShares)]
+    pub fn improve_shares(&mut self, work: u32) -> bool {
+        self.shares.as_mut().is_some_and(|shares| shares.improve(work))
+    }
+
+    /// No tour is shorter, by the shares: the value that the check of their certificate gives, in exact arithmetic.
+    pub fn certified(&self) -> Result<Option<f64>, String> {
+        let certificate = self.shares.as_ref().and_then(|shares| shares.certificate());
+        certificate.map(|c| c.check(&self.source.problem)).transpose().map_err(|fault| fault.to_string())
     }
 }

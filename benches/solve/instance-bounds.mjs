@@ -1,0 +1,28 @@
+// The lower bounds of one instance in wasm, in a process of its own: node instance-bounds.mjs FILE KNOWN SECONDS. The walks with the orders that
+// are left work until they end, and the shares in what is left of the seconds of the processor. One line of JSON: the bound of each, with
+// its seconds. The bound by shares is the value that the check of its certificate gives; null where shares do not apply, or had no time.
+
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { DIST } from '../../scripts/tools.mjs';
+
+/** Numbers of one call, as in `www/sdk/proving.ts`. */
+const SLICE = 2_000_000;
+
+const [file, known, seconds] = [process.argv[2], Number(process.argv[3]), Number(process.argv[4])];
+const at = join(DIST, 'bench-solve');
+const { Bounds, initSync } = await import(pathToFileURL(join(at, 'solve.js')).href);
+initSync({ module: readFileSync(join(at, 'solve_bg.wasm')) });
+const used = () => process.cpuUsage().user / 1e6;
+const start = used();
+const bounds = Bounds.open(file, readFileSync(file), known);
+while (used() - start < seconds && bounds.improveWalks(SLICE));
+const walks = { bound: bounds.walks(), seconds: used() - start };
+let shares = null;
+if (walks.bound < known - 1e-6 && walks.seconds < seconds && bounds.startShares()) {
+  while (used() - start < seconds && bounds.improveShares(SLICE));
+  const bound = bounds.certified();
+  if (bound !== undefined) shares = { bound, seconds: used() - start };
+}
+console.log(JSON.stringify({ walks, shares }));
