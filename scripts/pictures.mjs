@@ -1,5 +1,5 @@
 // Makes pictures of the docs with the built package and page: `node scripts/pictures.mjs` after a build. docs/corners.png and
-// docs/kerf-starts.png are written by the command line; docs/tips.png is what the page shows of pieces that tip and of the ways past them.
+// docs/kerf-starts.png and docs/bridges.png are written by the command line; docs/tips.png is what the page shows of pieces that tip and of the ways past them.
 
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -33,6 +33,17 @@ function kerfStarts(folder) {
   run(process.execPath, [join(ROOT, 'dist', 'sdk', 'cli.js'), 'plan', file, ...options, '--moves', '100000', '--seed', '1', '--png', join(ROOT, 'docs', 'kerf-starts.png'), '--quiet']);
 }
 
+/** Two rows of brackets with a hole each, connected to one piece. */
+function bridges(folder) {
+  const file = join(folder, 'brackets.dxf');
+  const bracket = (x, y) => polygon([[x, y], [x + 50, y], [x + 50, y + 14], [x + 14, y + 14], [x + 14, y + 40], [x, y + 40]]);
+  const window = (x, y) => polygon([[x + 24, y + 4], [x + 42, y + 4], [x + 42, y + 10], [x + 24, y + 10]]);
+  const places = [0, 1, 2].flatMap((k) => [[10 + 62 * k, 10], [10 + 62 * k, 62]]);
+  writeFileSync(file, dxf(...places.flatMap(([x, y]) => [bracket(x, y), window(x, y)])));
+  const options = ['--machine', 'fibre-6kw-thick', '--bridges', '15', '--bridge-width', '4'];
+  run(process.execPath, [join(ROOT, 'dist', 'sdk', 'cli.js'), 'plan', file, ...options, '--moves', '100000', '--seed', '1', '--png', join(ROOT, 'docs', 'bridges.png'), '--quiet']);
+}
+
 /** A sheet of 100 contours on the page: pieces that tip in amber, moves around them, and over them with the head lifted. */
 async function tips() {
   const drawing = readFileSync(join(ROOT, 'tests', 'fixtures', 'sheets', 'sheet_100.dxf'));
@@ -49,6 +60,7 @@ await main(async () => {
   const folder = mkdtempSync(join(tmpdir(), 'kerfway-'));
   corners(folder);
   kerfStarts(folder);
+  bridges(folder);
   rmSync(folder, { recursive: true });
   await tips();
 });

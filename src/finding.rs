@@ -73,6 +73,8 @@ pub enum Code {
     FeatureTooSmall,
     /// Contours share cuts.
     CommonCut,
+    /// Parts that bridges connect.
+    Bridges,
     /// A part that is moved to stand one kerf from a neighbour, or that could be.
     PartShift,
     /// Elements without length were dropped.

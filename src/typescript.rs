@@ -106,6 +106,7 @@ fn generated() -> String {
         machine::Leads,
         machine::Levers,
         machine::Fly,
+        machine::Bridges,
         machine::Chains,
         machine::SharedCuts,
         machine::Lift,

@@ -59,6 +59,7 @@ impl Code {
                 Counted("contour is too small for the beam", "contours are too small for the beam")
             }
             Self::CommonCut => Counted("group of contours shares cuts", "groups of contours share cuts"),
+            Self::Bridges => Counted("bridge connects parts", "bridges connect parts"),
             Self::PartShift => Counted(
                 "part is or could be shifted to a neighbour",
                 "parts are or could be shifted to a neighbour",

@@ -5,6 +5,7 @@
 //! clock and a user to listen to, decides how many moves each slice has. Slices of any size give the same bytes.
 
 mod best_path;
+mod bridges;
 mod code;
 mod common_cuts;
 mod corners;
@@ -55,7 +56,8 @@ pub use warm_path::WarmPath;
 use crate::drawing::{Drawing, ReadOptions};
 use crate::fields::{Fault, FieldError};
 use crate::finding::{Code, Finding, Severity};
-use crate::machine::Profile;
+use crate::geometry::{Path, Segment};
+use crate::machine::{PLANS_ALL_LEVERS, Profile};
 use crate::order::sort_by;
 use crate::sheet::{self, Contour, Sheet, SheetOptions};
 
@@ -147,16 +149,27 @@ impl Job {
         self.beam_sheet.as_ref().unwrap_or(&self.sheet)
     }
 
-    /// The paths of the beam if they differ from the drawing: contours by id, and their geometry.
+    /// The paths of the beam if they differ from the drawing: contours by id, and their geometry. Outlines that are cut with another contour,
+    /// because bridges connect their parts, have none of their own.
     pub fn beam_paths(&self) -> Option<(Vec<ContourInfo<'_>>, Geometry)> {
         let sheet = self.beam_sheet.as_ref()?;
-        Some((report::contours(sheet), Geometry::of(sheet.contours.iter().map(|c| &c.path))))
+        let none = Path::default();
+        let paths = (0..).zip(&sheet.contours).map(|(id, c)| {
+            let elsewhere = c.bridged.is_some_and(|root| root != id);
+            if elsewhere { &none } else { &c.path }
+        });
+        Some((report::contours(sheet), Geometry::of(paths)))
     }
 
-    /// The stretches of pierce groups that are cut once for two parts.
+    /// What two parts share: the stretches of pierce groups that are cut once for both, and the sides of bridges.
     pub fn common_cuts(&self) -> Geometry {
         let groups = self.beam_sheet().pierce_groups();
-        let paths: Vec<_> = groups.iter().flat_map(|g| g.between_parts().map(|e| g.path(e))).collect();
+        let mut paths: Vec<_> = groups.iter().flat_map(|g| g.between_parts().map(|e| g.path(e))).collect();
+        if PLANS_ALL_LEVERS {
+            let strips = self.beam_sheet().bridged.iter().flat_map(|b| &b.strips);
+            let sides = strips.flat_map(|s| s.sides).map(|[from, to]| Segment::line(from, to));
+            paths.extend(sides.map(|side| Path::new(vec![side], false)));
+        }
         Geometry::of(paths.iter())
     }
 
@@ -184,6 +197,7 @@ impl Job {
             return Err(FieldError::new(Fault::Contradiction, "machine.levers", message).into());
         }
         corners::check(&self.sheet, profile)?;
+        bridges::check(&self.sheet, profile)?;
         self.drop_run();
         let mut findings = self.compensate(&placed.profile);
         let skeleton = self.beam_sheet().with_skeleton(&placed.seen_from_drawing()).map_err(|fault| {
@@ -210,14 +224,16 @@ impl Job {
         self.beam_sheet = None;
     }
 
-    /// Moves parts if the machine says so, offsets the cuts by half the kerf, and returns the findings.
+    /// Moves parts and connects them by bridges if the machine says so, offsets the cuts by half the kerf, and returns the findings.
     fn compensate(&mut self, machine: &Profile) -> Vec<Finding> {
         let kerf = machine.kerf_width;
-        if kerf <= 0.0 {
-            return Vec::new();
-        }
         let (moved, mut findings) = shift::shifted(&self.sheet, &self.sheet_options, machine);
-        let drawn = moved.as_ref().unwrap_or(&self.sheet);
+        let bridged = bridges::bridged(moved.as_ref().unwrap_or(&self.sheet), machine, &mut findings);
+        if kerf <= 0.0 {
+            self.beam_sheet = bridged;
+            return findings;
+        }
+        let drawn = bridged.as_ref().or(moved.as_ref()).unwrap_or(&self.sheet);
         let (sheet, found) = sheet::compensated(&self.drawing, drawn, &self.sheet_options, kerf);
         self.beam_sheet = Some(sheet);
         findings.extend(found);

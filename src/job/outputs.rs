@@ -4,7 +4,7 @@ use super::{Job, JobError, Placed, heat, tips};
 use crate::drawing::Unit;
 use crate::fields::{Fault, FieldError};
 use crate::geometry::{Aabb, Affine, DVec2, Segment};
-use crate::machine::Profile;
+use crate::machine::{PLANS_ALL_LEVERS, Profile};
 use crate::output::{Check, OutputKind, SheetFacts, WorkOrder, Written, json_text};
 use crate::plan::document::{self, Budget, Document, Input, Move, Options, Placement};
 use crate::plan::{self, Plan};
@@ -173,6 +173,7 @@ impl Job {
                 .then(|| Placement { shift: shift.to_array(), start: *start }),
             summary: plan.summary.clone(),
             contours: document::contours(self.beam_sheet(), profile, &plan.moves, *shift),
+            bridges: if PLANS_ALL_LEVERS { plan.bridges.clone() } else { Vec::new() },
             moves: plan.moves.iter().map(Move::from).collect(),
             findings: findings
                 .map(|f| f.clone().moved(*shift))

@@ -10,7 +10,8 @@ pub(super) fn shifted(
     options: &SheetOptions,
     machine: &Profile,
 ) -> (Option<Sheet>, Vec<Finding>) {
-    let lever = machine.levers.common_cuts.filter(|l| PLANS_ALL_LEVERS && l.shift > 0.0);
+    let lever =
+        machine.levers.common_cuts.filter(|l| PLANS_ALL_LEVERS && l.shift > 0.0 && machine.kerf_width > 0.0);
     let Some(lever) = lever else { return (None, Vec::new()) };
     let shifts = sheet::shifts(sheet, machine.kerf_width, lever.shift, options.copy_tolerance);
     let findings = shifts.iter().map(|shift| finding(sheet, shift, lever.shift_parts)).collect();

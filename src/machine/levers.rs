@@ -2,11 +2,13 @@
 //!
 //! With all of them off, plans are what they were without them.
 
+use super::bridges::Bridges;
 use super::corners::Corners;
 use super::heat::Heat;
 use super::tips::Tips;
 use crate::fields::{Field, Kind, Range};
-use serde::{Deserialize, Serialize};
+use serde::de::IgnoredAny;
+use serde::{Deserialize, Deserializer, Serialize};
 
 const OVERCUT: Range = Range::new(0.0, 100.0, "mm", "thin sheet is cut through after a few millimetres");
 const REACH: Range =
@@ -44,6 +46,9 @@ pub struct Levers {
     /// Contours are joined by cuts through waste; `None`: the head pierces for each of them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub chains: Option<Chains>,
+    /// Parts stay connected by strips of material, so that their outlines are one cut; `None`: each outline is a cut.
+    #[serde(deserialize_with = "bridges", skip_serializing_if = "no_bridges")]
+    pub bridges: Option<Bridges>,
     /// Contours that share cuts, such as outlines one kerf apart, are pierced once and cut together; `None`: each is pierced.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub common_cuts: Option<SharedCuts>,
@@ -168,12 +173,28 @@ pub struct MovingPierce {
     pub overcut: f64,
 }
 
+/// Reads the bridges of a machine. A build that does not plan them only has to know that there are some, and is smaller so.
+fn bridges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Bridges>, D::Error> {
+    if PLANS_ALL_LEVERS {
+        return Option::deserialize(deserializer);
+    }
+    let given = Option::<IgnoredAny>::deserialize(deserializer)?;
+    Ok(given.map(|_| Bridges { width: 1.0, reach: 1.0, clearance: 1.0, most: None }))
+}
+
+/// Whether the bridges of a machine are not written: there are none, or this build does not know what they are.
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde asks for")]
+fn no_bridges(bridges: &Option<Bridges>) -> bool {
+    !PLANS_ALL_LEVERS || bridges.is_none()
+}
+
 impl Levers {
     /// A lever that is switched on and that this build does not plan: its name, and what a machine with it does.
     pub fn not_in_this_build(&self) -> Option<(&'static str, &'static str)> {
         let not_in_core = [
             (self.fly.is_some(), "fly", "cuts on the run"),
             (self.chains.is_some(), "chains", "joins contours through waste"),
+            (self.bridges.is_some(), "bridges", "connects parts by bridges"),
             (self.common_cuts.is_some(), "common_cuts", "cuts what shares cuts together"),
             (self.tips.is_some(), "tips", "minds pieces that tip"),
             (self.heat.is_some(), "heat", "minds heat"),
@@ -189,6 +210,7 @@ impl Levers {
         Field::nullable("lift", Kind::Object(LIFT)),
         Field::nullable("fly", Kind::Object(FLY)),
         Field::nullable("chains", Kind::Object(CHAINS)),
+        Field::nullable("bridges", Kind::Object(Bridges::FIELDS)),
         Field::nullable("common_cuts", Kind::Object(SHARED)),
         Field::nullable("tips", Kind::Object(Tips::FIELDS)),
         Field::nullable("heat", Kind::Object(Heat::FIELDS)),
@@ -216,7 +238,7 @@ impl Levers {
         *self == Self::default()
     }
 
-    /// The numbers with their names and ranges.
+    /// The numbers with their names and ranges, but for those of bridges, which the planner that has them checks.
     pub(super) fn numbers(&self) -> impl Iterator<Item = (&'static str, f64, Range)> {
         let overcut = self.moving_pierce.map(|p| ("levers.moving_pierce.overcut", p.overcut, OVERCUT));
         let lift = self.lift.map(|l| {

@@ -2,6 +2,7 @@
 
 mod arc;
 mod bed;
+mod bridges;
 mod closed_run;
 mod corner;
 mod corners;
@@ -25,6 +26,7 @@ mod tips;
 mod valid;
 
 pub use bed::{Anchor, Start};
+pub use bridges::Bridges;
 pub use closed_run::ClosedRun;
 pub(crate) use corner::MARGIN;
 pub(crate) use corners::CORNER_KINDS;

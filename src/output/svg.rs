@@ -50,6 +50,7 @@ pub fn svg(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> String {
     leads(&mut out, plan);
     loops(&mut out, plan);
     chains(&mut out, plan);
+    bridges(&mut out, plan, width);
     joints(&mut out, plan, width);
     air(&mut out, plan, profile.home());
     entries(&mut out, plan, width);
@@ -154,6 +155,22 @@ fn chains(out: &mut String, plan: &Plan) {
         path.iter().for_each(|segment| element(out, segment));
     }
     out.push_str("\"><title>Cuts through waste</title></path>\n");
+}
+
+/// Strips of material that connect parts: their sides as drawn, wider than a cut.
+fn bridges(out: &mut String, plan: &Plan, width: f64) {
+    if plan.bridges.is_empty() {
+        return;
+    }
+    let _ = write!(
+        out,
+        "<style>.bridge{{stroke:#8a4fc7;stroke-width:{}}}@media(prefers-color-scheme:dark){{.bridge{{stroke:#c39bff}}}}</style>\n<path class=\"bridge\" d=\"",
+        number(2.0 * width)
+    );
+    for [from, to] in plan.bridges.iter().flat_map(|strip| strip.sides) {
+        let _ = write!(out, "M{}L{}", Point(from), Point(to));
+    }
+    out.push_str("\"><title>Sides of bridges between parts</title></path>\n");
 }
 
 /// Micro-joints, as short wide strokes between the stretches of their contours.

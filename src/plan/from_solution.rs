@@ -10,7 +10,7 @@ use crate::joint::{ContourJoints, Divided, Stretch, divided};
 use crate::lead::{Lead, Run, starts_moving};
 use crate::machine::{JointKind, PLANS_ALL_LEVERS, Process, Profile};
 use crate::problem::{Item, NodeId, Problem, Stroke};
-use crate::sheet::Sheet;
+use crate::sheet::{Sheet, Strip};
 use crate::solve::{Begun, Solution, Stop, begun};
 
 /// The plan of a solution. `solution` must belong to `problem`, and `problem` to `sheet`.
@@ -123,15 +123,34 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         Some(zones) if PLANS_ALL_LEVERS => past_tipped(zones, &problem.machine, moves),
         _ => moves,
     };
-    let (moves, hot_pairs) = match problem.cooling() {
+    let (mut moves, hot_pairs) = match problem.cooling() {
         Some(cooling) => cooled(cooling, sheet, &problem.machine, moves),
         None => (moves, 0),
+    };
+    let bridges: Vec<Strip> = if PLANS_ALL_LEVERS {
+        name_bridged(&mut moves, sheet);
+        sheet.bridged.iter().flat_map(|b| &b.strips).copied().collect()
+    } else {
+        Vec::new()
     };
     let mut summary = evaluate(&moves, sheet, &problem.machine);
     summary.joints = joints_of(problem);
     summary.hot_pairs = hot_pairs;
+    summary.bridges = u32::try_from(bridges.len()).unwrap_or(u32::MAX);
     summary.parts = u32::try_from(sheet.parts.len()).unwrap_or(u32::MAX);
-    Plan { moves, summary }
+    Plan { moves, summary, bridges }
+}
+
+/// Names the outlines of connected parts in each cut that goes around them.
+fn name_bridged(moves: &mut [Move], sheet: &Sheet) {
+    for step in moves {
+        let Move::Cut { contour, with, .. } = step else { continue };
+        let Some(root) = sheet.contours.get(*contour as usize).and_then(|c| c.bridged) else { continue };
+        let group = sheet.bridged.binary_search_by_key(&root, |b| b.contour).ok();
+        let group = group.and_then(|k| sheet.bridged.get(k));
+        let outlines = group.iter().flat_map(|b| &b.outlines).map(|o| o.0);
+        with.extend(outlines.filter(|&id| id != root));
+    }
 }
 
 /// A skeleton cut that begins without piercing at a place: at its end, or on another one that it crosses, from where it is cut to both ends.

@@ -1,7 +1,8 @@
 //! The plan as data: the moves of the head in order, and their sums.
 
 use crate::geometry::{Affine, DVec2, Segment};
-use crate::machine::CornerKind;
+use crate::machine::{CornerKind, PLANS_ALL_LEVERS};
+use crate::sheet::Strip;
 use serde::{Deserialize, Serialize};
 
 /// One move of the head. It starts where the previous one ended; the first starts at home.
@@ -73,7 +74,7 @@ pub enum Move {
     Cut {
         /// The contour's id; in a pierce group, the contour on which the cut begins.
         contour: u32,
-        /// Other contours of a pierce group that the cut runs along, in order.
+        /// Other contours of a pierce group that the cut runs along, in order; or those of the other parts that bridges connect.
         with: Vec<u32>,
         /// Its elements from the place where it is entered or resumed, in the direction of travel.
         path: Vec<Segment>,
@@ -257,6 +258,10 @@ pub struct Summary {
     #[serde(default, skip_serializing_if = "crate::fields::is_zero")]
     #[cfg_attr(test, ts(as = "Option<f64>", optional))]
     pub chain_length: f64,
+    /// Number of bridges between parts.
+    #[serde(default, skip_serializing_if = "is_none")]
+    #[cfg_attr(test, ts(as = "Option<u32>", optional))]
+    pub bridges: u32,
     /// Number of air moves for which the head is lifted.
     #[serde(default, skip_serializing_if = "is_none")]
     #[cfg_attr(test, ts(as = "Option<u32>", optional))]
@@ -376,6 +381,14 @@ pub struct Plan {
     pub moves: Vec<Move>,
     /// Their sums.
     pub summary: Summary,
+    /// The strips of material that connect parts.
+    #[serde(default, skip_serializing_if = "no_bridges")]
+    pub bridges: Vec<Strip>,
+}
+
+/// Whether there are none to write. Builds that plan none are smaller without writing them.
+pub(super) fn no_bridges(bridges: &[Strip]) -> bool {
+    !PLANS_ALL_LEVERS || bridges.is_empty()
 }
 
 impl Plan {
@@ -403,6 +416,9 @@ impl Plan {
                 }
                 Move::Joint { path, .. } | Move::Fly { path } | Move::Chain { path } => run(path),
             }
+        }
+        if PLANS_ALL_LEVERS {
+            self.bridges.iter_mut().flat_map(|b| b.sides.as_flattened_mut()).for_each(|p| *p += shift);
         }
         let [x0, y0, x1, y1] = self.summary.bounds;
         self.summary.bounds = [x0 + shift.x, y0 + shift.y, x1 + shift.x, y1 + shift.y];

@@ -1,13 +1,14 @@
 //! The seconds of each part: its cuts, its piercings, and a share of the moves with the beam off.
 //!
 //! What a part takes by itself (cuts, marks on it, piercings, pre-cuts, pauses in corners) is charged to it. A cut along a
-//! side that parts share is divided equally between the contours that it runs along. Air moves belong to no part; they are
+//! side that parts share is divided equally between the contours that it runs along, and one around parts that bridges connect by the lengths
+//! of their outlines. Air moves belong to no part; they are
 //! shared by the number of places where the beam is switched on, so that equal parts cost the same wherever they lie.
 //! Marks and cuts that belong to no part are kept apart, so that all together add up to the job.
 
 use super::times::Times;
 use crate::geometry::{DVec2, Segment};
-use crate::machine::cut_time;
+use crate::machine::{PLANS_ALL_LEVERS, cut_time};
 use crate::plan::document::{Contours, Document, Move, segments};
 
 /// Times and piercings of one part, or of what belongs to no part.
@@ -69,8 +70,15 @@ pub(super) fn seconds(
                     Contours::Several(ids) => ids,
                 };
                 let path = segments(path, &mut at);
-                let length = path.iter().map(Segment::length).sum::<f64>() / ids.len().max(1) as f64;
-                cut_on.extend(ids.iter().map(|&id| (id, length)));
+                let length = path.iter().map(Segment::length).sum::<f64>();
+                let outlines = bridged(document, ids);
+                match &outlines {
+                    Some(outlines) => {
+                        let all: f64 = outlines.iter().sum();
+                        cut_on.extend(ids.iter().zip(outlines).map(|(&id, own)| (id, length * own / all)));
+                    }
+                    None => cut_on.extend(ids.iter().map(|&id| (id, length / ids.len().max(1) as f64))),
+                }
                 motion.extend(path);
                 if matches!(
                     document.moves.get(index + 1),
@@ -84,7 +92,8 @@ pub(super) fn seconds(
                 // A motion is shared by what it cuts of each contour; a cut along several contours equally.
                 let whole: f64 = cut_on.iter().map(|c| c.1).sum();
                 let equal = 1.0 / ids.len().max(1) as f64;
-                let share = |length: f64| if cut_on.len() == ids.len() { equal } else { length / whole };
+                let alike = cut_on.len() == ids.len() && outlines.is_none();
+                let share = |length: f64| if alike { equal } else { length / whole };
                 for &(id, length) in &cut_on {
                     all[owner(id)].times.cut += cut * share(length);
                 }
@@ -107,6 +116,13 @@ pub(super) fn seconds(
     add_up(&mut all, document);
     let loose = all.pop().unwrap_or_default();
     (all, loose)
+}
+
+/// The lengths of the outlines of connected parts, mm, if a cut goes around these.
+fn bridged(document: &Document, ids: &[u32]) -> Option<Vec<f64>> {
+    let length =
+        |id: &u32| document.contours.get(*id as usize).filter(|c| c.bridged.is_some()).map(|c| c.length);
+    if PLANS_ALL_LEVERS && ids.len() > 1 { ids.iter().map(length).collect() } else { None }
 }
 
 /// One kind of time.

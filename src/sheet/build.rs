@@ -14,6 +14,7 @@ use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::Aabb;
 use crate::machine::far_out;
 use crate::order::sort_by;
+use std::sync::Arc;
 
 /// Depth of a crossing, mm, up to which it is rounding of a drawing in which lines end on each other.
 const MIN_CROSSING_DEPTH: f64 = 0.001;
@@ -93,6 +94,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
         groups,
         pass_order: options.pass_order,
         common_cuts: options.common_cuts,
+        bridged: Arc::default(),
         joints: options.joints.clone(),
         choices: choices::by_contour(&options.contours),
         bounds,
@@ -202,6 +204,7 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut
         outline: a.outline,
         drawn: None,
         skeleton: false,
+        bridged: None,
         path: a.path,
     }
 }

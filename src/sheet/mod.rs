@@ -11,6 +11,8 @@
 //!        -> groups: contours that share cuts, and what they enclose
 //!        -> narrow: contours too narrow for any beam
 //!        -> parts: outer contours counter-clockwise, holes clockwise, parts in holes
+//! contours, machine with bridges
+//!        -> bridges: outlines of neighbours opened and joined by strips of material, one contour around several parts
 //! contours, machine with a kerf width
 //!        -> kerf: the lines of the beam, offset from the outlines by half the kerf; groups found again
 //! contours, machine with skeleton cuts
@@ -22,6 +24,7 @@
 //! hostile drawings (all ends in one point, 100,000 lines on top of each other); its documentation says how.
 
 mod assemble;
+mod bridges;
 mod build;
 mod choices;
 mod clean;
@@ -51,6 +54,6 @@ pub use build::build;
 pub use groups::{GroupElement, PierceGroup};
 pub(crate) use kerf::{Shift, compensated, shifts};
 pub use model::{
-    CommonCuts, Contour, ContourChoice, Group, HandJoint, Ignored, LayerUse, Operation, Part, PassOrder, Pin,
-    Sheet, SheetOptions,
+    Bridged, CommonCuts, Contour, ContourChoice, Group, HandJoint, Ignored, LayerUse, Operation, Part,
+    PassOrder, Pin, Sheet, SheetOptions, Strip,
 };

@@ -2,10 +2,11 @@
 
 use super::groups::PierceGroup;
 use crate::finding::Finding;
-use crate::geometry::{Aabb, Path};
+use crate::geometry::{Aabb, DVec2, Path};
 use crate::machine::{CornerKind, LeadKind, Settings};
 use crate::order::sort_by;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// What is done with the contours of a layer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -222,6 +223,32 @@ pub struct Contour {
     pub rest_of: Option<u32>,
     /// Whether it is a skeleton cut: a straight cut through the waste, after everything else, that nobody drew.
     pub skeleton: bool,
+    /// The contour with which this outline is cut, because bridges connect their parts, or itself; see [`Bridged`].
+    pub bridged: Option<u32>,
+}
+
+/// Parts that bridges connect. The path of one contour goes around all of them; the contours of the others stay in the list with
+/// [`Operation::Ignore`] and name that one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bridged {
+    /// The contour that goes around the parts and the strips between them: the one of least id.
+    pub contour: u32,
+    /// The outlines of the parts as drawn, with their contours, by id.
+    pub outlines: Vec<(u32, Path)>,
+    /// The strips between them, one fewer than there are parts.
+    pub strips: Vec<Strip>,
+    /// The contours directly inside these outlines, each with its outline. As [`Contour::inside`] they have the one that goes around all.
+    pub within: Vec<(u32, u32)>,
+}
+
+/// A bridge: a straight strip of material through the waste, which keeps two parts connected.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Strip {
+    /// The contours of the two parts.
+    pub contours: [u32; 2],
+    /// Its two sides, mm: the first from where the outline of the first part is opened to where that of the second part goes on, the second
+    /// back.
+    pub sides: [[DVec2; 2]; 2],
 }
 
 impl Contour {
@@ -323,6 +350,8 @@ pub struct Sheet {
     pub groups: Vec<PierceGroup>,
     /// How paths through groups are found.
     pub common_cuts: CommonCuts,
+    /// Parts that bridges connect, in ascending order of the contours that go around them.
+    pub bridged: Arc<Vec<Bridged>>,
     /// Micro-joints that a person placed.
     pub joints: Vec<HandJoint>,
     /// What a person decided for single contours, by id.

@@ -34,7 +34,7 @@ async function setKerf(page, width) {
 test('a kerf width set in the machine changes what is cut, is reported, and can be undone', async (t) => {
   const page = await opened(t);
   const drawn = await planned(page);
-  const legend = page.getByText('cut once for two parts');
+  const legend = page.getByText('shared by two parts');
   assert.ok(!(await legend.isVisible()), 'nothing is shared as drawn');
 
   await setKerf(page, 0.4);
@@ -73,6 +73,6 @@ for (const [size, theme] of [['desktop', 'light'], ['desktop', 'dark'], ['phone'
     await page.getByRole('button', { name: 'Parts one kerf apart' }).click();
     await still(page);
     await shot(page, `kerf-${size}-${theme}-near`);
-    assert.ok(await page.getByText('cut once for two parts').isVisible());
+    assert.ok(await page.getByText('shared by two parts').isVisible());
   });
 }

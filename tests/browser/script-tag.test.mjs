@@ -56,7 +56,7 @@ for (const place of ['disk', 'http']) {
       const { outputs } = await plan(bytes(KEYBOARD), options);
       assert.ok(here.outputs.json === outputs.json, 'another plan than under Node');
       assert.ok(here.outputs.gcode === outputs.gcode, 'another program than under Node');
-      assert.match(here.papers, /single-file build reads no SVG, has no methods from papers, and does not plan the levers fly, chains, common_cuts, tips, heat and corners/);
+      assert.match(here.papers, /single-file build reads no SVG, has no methods from papers, and does not plan the levers fly, chains, bridges, common_cuts, tips, heat and corners/);
       assert.match(here.png, /single-file build writes no PNG/);
       const withKerf = await plan(bytes(KEYBOARD), { units: 'mm', seed: 4, moves: 1000, machine: { ...here.machine, kerf_width: 0.2 } });
       assert.equal(here.cutWithKerf, withKerf.summary.cut_length);

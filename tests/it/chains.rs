@@ -501,7 +501,7 @@ fn joined_at(b: Builder, machine: &Profile, [from, to]: [f64; 2]) -> Vec<Violati
     moves.push(Move::air(machine.home()));
     let mut summary = plan::evaluate(&moves, &sheet, machine);
     summary.parts = u32::try_from(sheet.parts.len()).unwrap();
-    plan::check(&sheet, machine, &Plan { moves, summary }).err().unwrap_or_default()
+    plan::check(&sheet, machine, &Plan { moves, summary, bridges: Vec::new() }).err().unwrap_or_default()
 }
 
 #[test]

@@ -176,7 +176,7 @@ fn every_order_entry_and_kerf_is_no_better() {
 fn checked(sheet: &Sheet, machine: &Profile, plan: &Plan, moves: Vec<Move>) -> Vec<Violation> {
     let mut summary = plan::evaluate(&moves, sheet, machine);
     summary.parts = plan.summary.parts;
-    plan::check(sheet, machine, &Plan { moves, summary }).err().unwrap_or_default()
+    plan::check(sheet, machine, &Plan { moves, summary, bridges: Vec::new() }).err().unwrap_or_default()
 }
 
 #[test]

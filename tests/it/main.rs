@@ -8,6 +8,7 @@ mod testkit;
 mod bed;
 mod boundary;
 mod boundary_any;
+mod bridges;
 mod calibration;
 mod certificate;
 mod chains;

@@ -267,7 +267,9 @@ fn plans_with_wrong_passes_fail_their_check() {
             change(&mut moves);
             let mut summary = plan::evaluate(&moves, job.beam_sheet(), &machine());
             summary.parts = good.summary.parts;
-            plan::check(job.beam_sheet(), &machine(), &Plan { moves, summary }).err().unwrap_or_default()
+            plan::check(job.beam_sheet(), &machine(), &Plan { moves, summary, bridges: Vec::new() })
+                .err()
+                .unwrap_or_default()
         };
         assert_eq!(after(&|_| {}), []);
         let cut = |m: &Move| matches!(m, Move::Cut { contour, .. } if *contour == 0);

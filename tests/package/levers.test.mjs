@@ -101,6 +101,49 @@ describe('cuts on the run', () => {
   });
 });
 
+describe('bridges', () => {
+  const row = dxf(...[0, 28, 56].map((x) => square(10 + x, 10, 20)));
+
+  it('connect parts, in the plan, the program, the quote and the path', async (t) => {
+    const planner = await createPlanner();
+    t.after(() => planner.close());
+    const thick = planner.machines.find((m) => m.name === 'fibre-6kw-thick');
+    const machine = { ...thick, levers: { bridges: { width: 3, reach: 10 } } };
+    await planner.load(row, 'row.dxf');
+    const { progress: { path, summary } } = await planner.plan({ machine, seed: 1, moves: 20_000 }).done;
+    assert.deepEqual([summary.bridges, summary.pierces, summary.contours, summary.parts], [2, 1, 3, 3]);
+    assert.ok(Math.abs(summary.cut_length - (240 - 4 * 3 + 4 * 8)) < 1e-9);
+    assert.deepEqual([...path.contours], [0]);
+    const document = JSON.parse(await planner.output('json'));
+    assert.ok(validate(document), JSON.stringify(validate.errors));
+    assert.deepEqual(document.machine.levers.bridges, { width: 3, reach: 10, clearance: 1 });
+    assert.deepEqual(document.bridges.map((b) => b.contours), [[0, 1], [1, 2]]);
+    assert.deepEqual(document.moves.find((m) => m.kind === 'cut').contour, [0, 1, 2]);
+    const check = await planner.check();
+    assert.deepEqual([check.passed, check.problems, check.parts], [true, [], 1]);
+    const quote = await planner.quote();
+    assert.deepEqual([quote.part_count, quote.parts.length], [3, 1]);
+    const parts = quote.parts.flatMap((part) => part.items).reduce((sum, item) => sum + item.times.total, 0);
+    assert.ok(Math.abs(parts - summary.total_time) < 1e-6, `${parts}`);
+    assert.deepEqual(withoutLever(machine, 'bridges').levers, {});
+    await assert.rejects(planner.plan({ machine: { ...machine, pre_cut_time: 0.5 } }).done, /levers\.bridges and pre_cut_time/);
+  });
+
+  it('are options of the command line', async (t) => {
+    const at = folder(t);
+    const [file, json] = [join(at, 'row.dxf'), join(at, 'row.json')];
+    writeFileSync(file, row);
+    const plan = (...options) => kerfway('plan', file, '--machine', 'fibre-6kw-thick', '--moves', '5000', '--seed', '1', '--json', json, ...options);
+    const ran = await plan('--bridges', '10', '--bridge-width', '3', '--bridge-clearance', '2', '--bridge-most', '2', '--savings');
+    assert.equal(ran.code, 0, ran.stderr);
+    assert.match(ran.stdout + ran.stderr, /bridges saves/);
+    const { machine, summary } = JSON.parse(readFileSync(json, 'utf8'));
+    assert.deepEqual([machine.levers.bridges, summary.bridges], [{ width: 3, reach: 10, clearance: 2, most: 2 }, 1]);
+    const without = await plan('--bridge-width', '3');
+    assert.deepEqual([without.code, /--bridge-width: the machine does not connect parts/.test(without.stderr)], [2, true], without.stderr);
+  });
+});
+
 describe('chains', () => {
   const nest = dxf(...[[0, 0], [28, 0], [0, 28], [28, 28]].map(([x, y]) => square(10 + x, 10 + y, 20)));
 
@@ -292,7 +335,7 @@ describe('what each lever saves', () => {
     const all = await total(machine);
     const saved = [];
     for await (const one of leverSavings(planner, { machine, seed: 1, moves: 20_000 }, all)) saved.push(one);
-    assert.deepEqual(saved.map((s) => s.lever), LEVERS.filter((lever) => lever !== 'avoid-tips' && lever !== 'heat' && lever !== 'chains' && lever !== 'edge-starts' && lever !== 'common-cuts' && lever !== 'corners'));
+    assert.deepEqual(saved.map((s) => s.lever), LEVERS.filter((lever) => lever !== 'avoid-tips' && lever !== 'heat' && lever !== 'chains' && lever !== 'edge-starts' && lever !== 'bridges' && lever !== 'common-cuts' && lever !== 'corners'));
     for (const { lever, seconds } of saved) assert.equal(seconds, (await total(withoutLever(machine, lever))) - all, lever);
     const by = Object.fromEntries(saved.map((s) => [s.lever, s.seconds]));
     // Two holes more begin at rest, and so does nothing else: the outline has joints, and the line is open.

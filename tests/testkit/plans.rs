@@ -114,6 +114,7 @@ pub(crate) fn plan_of(stops: Vec<Stop>, layers: &[(&str, i16)], profile: &Profil
             first_shape: id as u32,
             rest_of: None,
             skeleton: false,
+            bridged: None,
             path: stop.path,
         });
     }
@@ -143,12 +144,13 @@ pub(crate) fn plan_of(stops: Vec<Stop>, layers: &[(&str, i16)], profile: &Profil
         pass_order: kerfway::sheet::PassOrder::Contour,
         common_cuts: kerfway::sheet::CommonCuts::Best,
         joints: Vec::new(),
+        bridged: std::sync::Arc::default(),
         choices: Vec::new(),
         outline: None,
         bounds,
         findings: vec![],
     };
-    (sheet, Plan { moves, summary })
+    (sheet, Plan { moves, summary, bridges: Vec::new() })
 }
 
 /// Three stops: a marked open line, a circle of radius 5 inside a 40 x 30 plate with one round corner, the plate.
@@ -230,6 +232,7 @@ pub(crate) fn document(sheet: &Sheet, plan: &Plan) -> String {
         placement: None,
         contours: contours(sheet, &machine, &plan.moves, DVec2::ZERO),
         machine,
+        bridges: Vec::new(),
         moves: plan.moves.iter().map(Step::from).collect(),
         findings: drawing.findings.iter().chain(&sheet.findings).cloned().collect(),
     })

@@ -109,7 +109,7 @@ fn left_for_others(plan: &Plan, rng: &mut impl Rng) -> Plan {
             | Move::Wait { .. } => {}
         }
     }
-    Plan { moves, summary }
+    Plan { moves, summary, bridges: Vec::new() }
 }
 
 fn random_path(rng: &mut impl Rng) -> Path {

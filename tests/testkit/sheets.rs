@@ -79,6 +79,7 @@ impl Builder {
                 pass_order: kerfway::sheet::PassOrder::Contour,
                 common_cuts: kerfway::sheet::CommonCuts::Best,
                 joints: Vec::new(),
+                bridged: std::sync::Arc::default(),
                 choices: Vec::new(),
                 outline: None,
                 bounds,
@@ -122,6 +123,7 @@ impl Builder {
             first_shape: id,
             rest_of: None,
             skeleton: false,
+            bridged: None,
             path,
         });
         id

@@ -1186,6 +1186,71 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
                           {
                             "kind": {
                               "number": {
+                                "least": 0.1,
+                                "most": 1000.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "a narrower strip burns away, and no part is so wide"
+                              }
+                            },
+                            "name": "width",
+                            "nullable": false,
+                            "required": true
+                          },
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.1,
+                                "most": 1000.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "a longer strip takes longer to cut than piercing"
+                              }
+                            },
+                            "name": "reach",
+                            "nullable": false,
+                            "required": true
+                          },
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.0,
+                                "most": 100.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "a bridge keeps away from everything that it does not join"
+                              }
+                            },
+                            "name": "clearance",
+                            "nullable": false,
+                            "required": false
+                          },
+                          {
+                            "kind": {
+                              "whole": {
+                                "least": 2.0,
+                                "most": 1000000.0,
+                                "or_zero": false,
+                                "unit": "",
+                                "why": "a bridge joins two parts at least"
+                              }
+                            },
+                            "name": "most",
+                            "nullable": true,
+                            "required": false
+                          }
+                        ]
+                      },
+                      "name": "bridges",
+                      "nullable": true,
+                      "required": false
+                    },
+                    {
+                      "kind": {
+                        "object": [
+                          {
+                            "kind": {
+                              "number": {
                                 "least": 0.0,
                                 "most": 100.0,
                                 "or_zero": false,

@@ -24,7 +24,7 @@ export const inThread = (read: () => Promise<WasmModule | WasmBytes>): StartWork
   const host: Host = {
     post: (message: FromWorker) => void deliver(() => onMessage(message)),
     research: async () => {
-      throw new KerfwayError('not-in-this-build', `${NO_FILE}: it reads no SVG, has no methods from papers, and does not plan the levers fly, chains, common_cuts, tips, heat and corners. Use the entry kerfway, with its workers, for them.`);
+      throw new KerfwayError('not-in-this-build', `${NO_FILE}: it reads no SVG, has no methods from papers, and does not plan the levers fly, chains, bridges, common_cuts, tips, heat and corners. Use the entry kerfway, with its workers, for them.`);
     },
     outputs: (given) => optionalFile('kerfway_outputs', async () => {
       await outputs.default({ module_or_path: given ?? (await read()) });

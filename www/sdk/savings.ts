@@ -4,8 +4,8 @@
 
 import type { MachineProfile, PlanOptions } from './protocol.js';
 
-/** What can be left out of a machine: piercing in motion, cuts on the run, chains, starts on a kerf, cutting what shares cuts together, lifting on the way, staying down on short moves, avoiding pieces that tip instead of lifting for every move, minding heat, which costs more than it saves, corners in which the beam does not stop, joints without a stop. */
-export const LEVERS = ['moving-pierce', 'fly', 'chains', 'edge-starts', 'common-cuts', 'lift-on-the-way', 'stay-down', 'avoid-tips', 'heat', 'corners', 'flying-joints'] as const;
+/** What can be left out of a machine: piercing in motion, cuts on the run, chains, starts on a kerf, bridges between parts, cutting what shares cuts together, lifting on the way, staying down on short moves, avoiding pieces that tip instead of lifting for every move, minding heat, which costs more than it saves, corners in which the beam does not stop, joints without a stop. */
+export const LEVERS = ['moving-pierce', 'fly', 'chains', 'edge-starts', 'bridges', 'common-cuts', 'lift-on-the-way', 'stay-down', 'avoid-tips', 'heat', 'corners', 'flying-joints'] as const;
 /** The name of a lever that can be left out. */
 export type Lever = (typeof LEVERS)[number];
 
@@ -24,13 +24,14 @@ export interface Replanner {
 
 /** A machine without one of its levers; `null` if it does not have it. */
 export function withoutLever(machine: MachineProfile, lever: Lever): MachineProfile | null {
-  const { moving_pierce, lift, fly, chains, common_cuts, tips, heat, corners } = machine.levers ?? {};
+  const { moving_pierce, lift, fly, chains, bridges, common_cuts, tips, heat, corners } = machine.levers ?? {};
   const avoids = tips != null && tips.risky_moves !== 'ignore';
   switch (lever) {
     case 'moving-pierce': return moving_pierce == null ? null : levered(machine, { moving_pierce: undefined });
     case 'fly': return fly == null ? null : levered(machine, { fly: undefined });
     case 'chains': return chains == null ? null : levered(machine, { chains: undefined });
     case 'edge-starts': return chains == null || !chains.edge_starts ? null : levered(machine, { chains: { ...chains, edge_starts: false } });
+    case 'bridges': return bridges == null ? null : levered(machine, { bridges: undefined });
     case 'common-cuts': return common_cuts == null ? null : levered(machine, { common_cuts: undefined });
     case 'lift-on-the-way': return lift == null || lift.at_rest === true ? null : levered(machine, { lift: { ...lift, at_rest: true } });
     case 'stay-down': return lift == null || !lift.stay_down || avoids ? null : levered(machine, { lift: { ...lift, stay_down: 0 } });

@@ -33,7 +33,7 @@ export interface Host {
 }
 
 /** Levers of a machine that the core leaves out: `Levers::not_in_this_build` in the planner refuses them there. */
-const NOT_IN_CORE = ['fly', 'chains', 'common_cuts', 'tips', 'heat', 'corners'] as const;
+const NOT_IN_CORE = ['fly', 'chains', 'bridges', 'common_cuts', 'tips', 'heat', 'corners'] as const;
 /** Bytes at the start of a file by which SVG is recognised. */
 const HEAD = 16_384;
 /** Default width of a picture, in pixels. */

@@ -99,6 +99,11 @@ fn draw(pixels: &mut Pixmap, document: &Document, strokes: &[Drawn], frame: &Fra
         }
     }
 
+    for [from, to] in document.bridges.iter().flat_map(|strip| strip.sides) {
+        move_to(&mut leads, frame.place(from));
+        line_to(&mut leads, frame.place(to));
+    }
+
     let contour = Stroke { width: CONTOUR_WIDTH * px, line_join: LineJoin::Round, ..Stroke::default() };
     line(pixels, cuts, INK, &contour);
     line(pixels, marks, BLUE, &contour);

@@ -5,6 +5,7 @@
 //! out as drawn (`kerf.rs`), and adds up lengths and times with its own formula for trapezoidal motion (`sums.rs`). It does
 //! share the geometry (points and lengths of elements) and the look-ahead along a contour, which has its own oracle.
 
+mod bridges;
 mod chains;
 mod corners;
 mod coverage;
@@ -72,6 +73,7 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     leads::check(sheet, machine, plan, |c| flown.holds(c), &mut found);
     corners::check(sheet, machine, as_planned, |c| flown.holds(c), &mut found);
     chains::check(sheet, machine, plan, &mut found);
+    bridges::check(sheet, machine, plan, &mut found);
     moving::check(sheet, machine, plan, &flown, &mut found);
     joints::check(sheet, machine, plan, &groups, &mut found);
     skeleton::check(sheet, machine, plan, &mut found);

@@ -144,6 +144,16 @@ pub enum Violation {
         /// Position, mm.
         at: DVec2,
     },
+    /// Parts are not connected by bridges as the machine has it, or a bridge does not lie in waste.
+    #[error("contour {contour} {what} at {at}")]
+    Bridge {
+        /// Which contour.
+        contour: u32,
+        /// What is wrong.
+        what: &'static str,
+        /// Position, mm.
+        at: DVec2,
+    },
     /// A micro-joint is not as the machine's rules or a person ask for.
     #[error("move {step}: a micro-joint of contour {contour} {what} at {at}")]
     Joint {

@@ -3,7 +3,7 @@
 use super::super::model::Move;
 use super::moves::{Element, place, segments};
 use crate::geometry::{Affine, DVec2, Path, Segment};
-use crate::machine::Profile;
+use crate::machine::{PLANS_ALL_LEVERS, Profile};
 use crate::order::sort_by;
 use crate::sheet::{Operation, Sheet};
 use serde::{Deserialize, Serialize};
@@ -34,6 +34,10 @@ pub struct Contour {
     /// Whether it is a skeleton cut, which nobody drew.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub skeleton: bool,
+    /// The contour with which this outline is cut, or itself, because bridges connect their parts: a cut goes around all of these
+    /// parts, and names all of these contours. Length, area and `drawn` are those of the part alone.
+    #[serde(default, skip_serializing_if = "is_alone")]
+    pub bridged: Option<u32>,
     /// The outline of what is made, where the line that is cut is not that outline: it runs half a kerf beside it, leaves
     /// out a side that is cut with another contour, or is cut stretch by stretch with others.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -82,6 +86,11 @@ impl Outline {
     pub fn segments(&self) -> Vec<Segment> {
         segments(&self.path, &mut DVec2::from(self.from))
     }
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde asks for")]
+fn is_alone(bridged: &Option<u32>) -> bool {
+    !PLANS_ALL_LEVERS || bridged.is_none()
 }
 
 fn one() -> u32 {
@@ -141,11 +150,33 @@ pub fn contours(sheet: &Sheet, machine: &Profile, moves: &[Move], shift: DVec2) 
         passes: if c.next_pass.is_some() { 1 } else { sheet.process_of(c, machine).passes },
         next_pass: c.next_pass,
         skeleton: c.skeleton,
+        bridged: c.bridged,
         drawn: c
             .part_outline()
             .or_else(|| c.boundary().filter(|_| in_group))
             .or_else(|| shape_of(c))
             .and_then(|path| Outline::of(path, shift)),
     };
-    (0..).zip(sheet.contours.iter().zip(in_group)).map(contour).collect()
+    let mut all: Vec<Contour> = (0..).zip(sheet.contours.iter().zip(in_group)).map(contour).collect();
+    if PLANS_ALL_LEVERS {
+        bridged(&mut all, sheet, shift);
+    }
+    all
+}
+
+/// Says of connected parts what each is by itself.
+fn bridged(all: &mut [Contour], sheet: &Sheet, shift: DVec2) {
+    for group in sheet.bridged.iter() {
+        for (id, outline) in &group.outlines {
+            let Some(contour) = all.get_mut(*id as usize) else { continue };
+            contour.operation = Operation::Cut;
+            (contour.length, contour.area) = (outline.length(), outline.area().abs());
+            contour.drawn = Outline::of(outline, shift);
+        }
+        for (id, outline) in &group.within {
+            if let Some(contour) = all.get_mut(*id as usize) {
+                contour.inside = Some(*outline);
+            }
+        }
+    }
 }

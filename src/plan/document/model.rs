@@ -1,12 +1,12 @@
 //! The document itself, with the facts about its input, search and options.
 
-use super::super::model::Summary;
+use super::super::model::{Summary, no_bridges};
 use super::contour::Contour;
 use super::moves::Move;
 use crate::drawing::{ReadOptions, Unit, UnitsSource};
 use crate::finding::Finding;
 use crate::machine::{Process, Profile, Settings, Start};
-use crate::sheet::{CommonCuts, ContourChoice, Group, HandJoint, Operation, PassOrder, SheetOptions};
+use crate::sheet::{CommonCuts, ContourChoice, Group, HandJoint, Operation, PassOrder, SheetOptions, Strip};
 use serde::{Deserialize, Serialize};
 
 /// The name and version of the format.
@@ -45,6 +45,9 @@ pub struct Document {
     pub summary: Summary,
     /// The contours of the sheet, each at the index that is its id.
     pub contours: Vec<Contour>,
+    /// Strips of material that connect parts.
+    #[serde(default, skip_serializing_if = "no_bridges")]
+    pub bridges: Vec<Strip>,
     /// What the head does, in order. Each move starts where the last one ended, the first at the machine's home.
     pub moves: Vec<Move>,
     /// Findings of the reader, then of the sheet, then of the plan.

@@ -121,5 +121,6 @@ fn contour(layer: u32) -> Contour {
         first_shape: u32::MAX,
         rest_of: None,
         skeleton: true,
+        bridged: None,
     }
 }

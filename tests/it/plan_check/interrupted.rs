@@ -55,7 +55,7 @@ fn interrupted_contours_pass_if_the_machine_allows_them() {
     let parts = s.parts;
     let mut summary = plan::evaluate(&moves, &sheet, &free);
     summary.parts = parts;
-    assert_eq!(plan::check(&sheet, &free, &Plan { moves, summary }), Ok(()));
+    assert_eq!(plan::check(&sheet, &free, &Plan { moves, summary, bridges: Vec::new() }), Ok(()));
 }
 
 #[test]

@@ -90,7 +90,7 @@ fn pre_cuts_have_a_length_and_are_cut_ahead() {
             }
             let mut summary = plan::evaluate(&moves, job.beam_sheet(), &machine);
             summary.parts = good.summary.parts;
-            let found = plan::check(job.sheet(), &machine, &Plan { moves, summary });
+            let found = plan::check(job.sheet(), &machine, &Plan { moves, summary, bridges: Vec::new() });
             assert!(found.is_err(), "{change}");
         }
     }

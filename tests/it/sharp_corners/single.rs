@@ -91,7 +91,7 @@ fn the_checker_finds_a_missing_or_extra_macro() {
         change(&mut moves);
         let mut summary = plan::evaluate(&moves, job.beam_sheet(), &machine);
         summary.parts = good.summary.parts;
-        plan::check(job.sheet(), &machine, &Plan { moves, summary }).unwrap_err()
+        plan::check(job.sheet(), &machine, &Plan { moves, summary, bridges: Vec::new() }).unwrap_err()
     };
     let at = good.moves.iter().position(|m| matches!(m, Move::Macro { .. })).unwrap();
     let missing = |found: &[Violation]| found.iter().any(|v| matches!(v, Violation::NoMacro { .. }));
@@ -116,7 +116,9 @@ fn the_checker_finds_a_missing_or_extra_macro() {
     let none = Profile { sharp_corner: None, ..machine.clone() };
     let mut summary = plan::evaluate(&good.moves, job.beam_sheet(), &none);
     summary.parts = good.summary.parts;
-    let found = plan::check(job.sheet(), &none, &Plan { moves: good.moves.clone(), summary }).unwrap_err();
+    let found =
+        plan::check(job.sheet(), &none, &Plan { moves: good.moves.clone(), summary, bridges: Vec::new() })
+            .unwrap_err();
     assert!(astray(&found), "{found:?}");
     // A time that leaves pauses out.
     let mut plan = good.clone();
@@ -145,7 +147,8 @@ fn a_pause_where_a_side_continues_is_a_fault() {
     moves.splice(at + 1..at + 1, [Move::Macro { contour, at: rest[0].start() }, cut]);
     let mut summary = plan::evaluate(&moves, job.beam_sheet(), &thick());
     summary.parts = good.summary.parts;
-    let found = plan::check(job.sheet(), &thick(), &Plan { moves, summary }).unwrap_err();
+    let found =
+        plan::check(job.sheet(), &thick(), &Plan { moves, summary, bridges: Vec::new() }).unwrap_err();
     assert!(found.iter().any(|v| matches!(v, Violation::Beam { .. })), "{found:?}");
 }
 

@@ -31,7 +31,7 @@ fn solved(drawn: bool, machine: &Profile) -> (Sheet, Plan) {
 fn checked(sheet: &Sheet, machine: &Profile, plan: &Plan, moves: Vec<Move>) -> Vec<Violation> {
     let mut summary = evaluate(&moves, sheet, machine);
     summary.parts = plan.summary.parts;
-    check(sheet, machine, &Plan { moves, summary }).err().unwrap_or_default()
+    check(sheet, machine, &Plan { moves, summary, bridges: Vec::new() }).err().unwrap_or_default()
 }
 
 fn says(found: &[Violation], wanted: &str) -> bool {

@@ -20,6 +20,8 @@ const FLY = { reach: 20, overcut: 0 };
 const HEAT = { distance: 20, seconds: 5 };
 /** mm: between parts as they are usually nested; a longer cut takes about as long as piercing. */
 const CHAINS = { reach: 30, clearance: 1 };
+/** mm: what holds small parts, and is broken by hand. */
+const BRIDGES = { width: 2, reach: 30, clearance: 1 };
 /** mm/s, for a machine whose profile has none: the heads of fibre lasers are faster, tables are slower. */
 const Z_SPEED = 100;
 
@@ -76,6 +78,16 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
   const clearance = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => chained({ clearance: value }));
   const edges = check(w.edgeStarts, (on) => chained({ edge_starts: on }));
   const joined = h('div', { class: 'stack' }, field(w.chainReach, chainReach.input, 'mm'), field(w.chainClearance, clearance.input, 'mm'), edges.root, h('p', { class: 'soft' }, w.aboutChains));
+  const bridges = check(w.bridges, (on) => set((l) => {
+    if (on) l.bridges = BRIDGES;
+    else delete l.bridges;
+  }));
+  const bridged = (change: Partial<NonNullable<Levers['bridges']>>) => set((l) => (l.bridges = { ...BRIDGES, ...l.bridges, ...change }));
+  const width = numberInput({ unit: 'mm', least: 0.1, most: MOST.reach }, (value) => bridged({ width: value }));
+  const span = numberInput({ unit: 'mm', least: 0.1, most: MOST.reach }, (value) => bridged({ reach: value }));
+  const apart = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => bridged({ clearance: value }));
+  const most = numberInput({ unit: '', least: 2, most: 1e6, empty: 0, whole: true }, (value) => bridged({ most: value || null }));
+  const strips = h('div', { class: 'stack' }, field(w.bridgeWidth, width.input, 'mm'), field(w.chainReach, span.input, 'mm'), field(w.chainClearance, apart.input, 'mm'), field(w.bridgeMost, most.input, ''), h('p', { class: 'soft' }, w.aboutBridges));
   const shared = check(w.shared, (on) => set((l) => {
     if (on) l.common_cuts = {};
     else delete l.common_cuts;
@@ -105,7 +117,7 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
     else l.corners = { ...l.corners, ...change };
   }));
   return {
-    root: h('div', { class: 'stack' }, moving.root, more, fly.root, run, chains.root, joined, shared.root, aboutShared, corners.root, lift.root, about, tips.root, heat.root),
+    root: h('div', { class: 'stack' }, moving.root, more, fly.root, run, chains.root, joined, bridges.root, strips, shared.root, aboutShared, corners.root, lift.root, about, tips.root, heat.root),
     show(machine) {
       const { levers, pre_cut_time, sharp_corner, z_speed } = machine;
       tips.show(machine);
@@ -119,7 +131,7 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
       overcut.show(pierce?.overcut ?? 0);
       fly.input.checked = Boolean(levers?.fly);
       // What is cut on the run follows at once, so nothing can cool.
-      fly.input.disabled = !levers?.fly && (typeof pre_cut_time === 'number' || levers?.heat != null);
+      fly.input.disabled = !levers?.fly && (typeof pre_cut_time === 'number' || levers?.heat != null || levers?.bridges != null);
       run.hidden = !levers?.fly;
       reach.show(levers?.fly?.reach ?? FLY.reach);
       again.show(levers?.fly?.overcut ?? 0);
@@ -130,6 +142,14 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
       chainReach.show(levers?.chains?.reach ?? CHAINS.reach);
       clearance.show(levers?.chains?.clearance ?? CHAINS.clearance);
       edges.input.checked = levers?.chains?.edge_starts === true;
+      bridges.input.checked = Boolean(levers?.bridges);
+      // What bridges connect is cut in one go.
+      bridges.input.disabled = !levers?.bridges && (typeof pre_cut_time === 'number' || levers?.fly != null);
+      strips.hidden = !levers?.bridges;
+      width.show(levers?.bridges?.width ?? BRIDGES.width);
+      span.show(levers?.bridges?.reach ?? BRIDGES.reach);
+      apart.show(levers?.bridges?.clearance ?? BRIDGES.clearance);
+      most.show(levers?.bridges?.most ?? 0);
       shared.input.checked = Boolean(levers?.common_cuts);
       // What is left unfinished for others, may tip or has to cool is not planned with them.
       shared.input.disabled = !levers?.common_cuts && (typeof pre_cut_time === 'number' || levers?.tips != null || levers?.heat != null);

@@ -54,7 +54,7 @@ export class Alternatives {
       yield save('entry', (await this.planned({}, { moves: 0, warm: { contours, reversed, along: zero, until: zero } })).progress.summary);
     }
     const search: PlanOptions = { seconds: searched };
-    if ((state.common?.offsets.length ?? 0) > 1 && state.load.commonCuts !== 'off' && machine.levers?.common_cuts == null) yield save('common', (await this.planned({ commonCuts: 'off' }, search)).progress.summary);
+    if ((state.common?.offsets.length ?? 0) > 1 && state.load.commonCuts !== 'off' && machine.levers?.common_cuts == null && machine.levers?.bridges == null) yield save('common', (await this.planned({ commonCuts: 'off' }, search)).progress.summary);
     if (typeof machine.pre_cut_time === 'number' && (path.preCuts.length > 0 || !whole)) yield save('partial', (await this.planned({}, { ...search, machine: { ...machine, pre_cut_time: null } })).progress.summary);
     for (const lever of LEVERS) {
       const without = withoutLever(machine, lever);

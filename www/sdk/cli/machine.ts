@@ -78,12 +78,16 @@ function sizes(values: Words['values'], name: string): [number, number] | undefi
   return [x, y];
 }
 
+/** Width of a bridge, mm: what holds small parts and is broken by hand. */
+const BRIDGE = 2;
+
 /** The machine with the levers that the options ask for. */
 function withLevers(values: Words['values'], machine: MachineProfile): MachineProfile {
   const [overcut, height, down, speed, reach, again, chain, clearance] = ['moving-pierce', 'lift', 'stay-down', 'z-speed', 'fly', 'fly-overcut', 'chains', 'chain-clearance'].map((option) => number(values, option));
+  const [bridge, width, apart, most] = ['bridges', 'bridge-width', 'bridge-clearance', 'bridge-most'].map((option) => number(values, option));
   const [offered, moved] = [number(values, 'offer-shifts'), number(values, 'shift-parts')];
   const atRest = values['lift-at-rest'] === true, tips = tipsOf(values, machine), heat = heatOf(values, machine), corners = cornersOf(values, machine);
-  if ([overcut, height, down, speed, reach, again, chain, clearance, tips, heat, corners, offered, moved].every((value) => value === undefined) && !atRest && values['edge-starts'] !== true && values['shared-cuts'] !== true) return machine;
+  if ([overcut, height, down, speed, reach, again, chain, clearance, tips, heat, corners, offered, moved, bridge, width, apart, most].every((value) => value === undefined) && !atRest && values['edge-starts'] !== true && values['shared-cuts'] !== true) return machine;
   const levers = { ...machine.levers };
   if (tips !== undefined) levers.tips = tips;
   if (heat !== undefined) levers.heat = heat;
@@ -101,6 +105,11 @@ function withLevers(values: Words['values'], machine: MachineProfile): MachinePr
   const edges = values['edge-starts'] === true;
   if (chained == null && (clearance !== undefined || edges)) throw new WrongUse(`--${edges ? 'edge-starts' : 'chain-clearance'}: the machine does not join contours. Give the longest cut through waste with --chains.`);
   if (chained != null) levers.chains = { ...chained, ...(clearance !== undefined && { clearance }), ...(edges && { edge_starts: true }) };
+  // Without a reach, the other options change the machine's own bridges.
+  const bridged = bridge === undefined ? levers.bridges : { width: BRIDGE, reach: bridge };
+  const [named] = Object.entries({ 'bridge-width': width, 'bridge-clearance': apart, 'bridge-most': most }).find(([, value]) => value !== undefined) ?? [];
+  if (bridged == null && named !== undefined) throw new WrongUse(`--${named}: the machine does not connect parts. Give the longest bridge with --bridges.`);
+  if (bridged != null) levers.bridges = { ...bridged, ...(width !== undefined && { width }), ...(apart !== undefined && { clearance: apart }), ...(most !== undefined && { most }) };
   // Without a height, the other options change the machine's own lift.
   const lifted = height === undefined ? levers.lift : { height };
   if (lifted == null && (down !== undefined || atRest)) throw new WrongUse(`--${atRest ? 'lift-at-rest' : 'stay-down'}: the machine does not lift its head. Give the height with --lift.`);

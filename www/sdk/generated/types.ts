@@ -46,7 +46,7 @@ export interface EntityKindCount {
 export type Severity = "info" | "warning" | "error";
 
 /** The kind of a finding. Written in kebab case in JSON (`unsupported-entity`). Later versions may add codes. */
-export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "part-shift" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "lead-adjusted" | "lead-missing" | "joint-adjusted" | "joint-missing" | "corner-stopped" | "far-from-origin" | "off-bed" | "least-power-left-out" | "risky-moves" | "hot-pairs" | "not-all-checked" | "more";
+export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "bridges" | "part-shift" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "lead-adjusted" | "lead-missing" | "joint-adjusted" | "joint-missing" | "corner-stopped" | "far-from-origin" | "off-bed" | "least-power-left-out" | "risky-moves" | "hot-pairs" | "not-all-checked" | "more";
 
 /** One finding. */
 export interface Finding {
@@ -274,6 +274,8 @@ export interface Levers {
   fly?: Fly,
   /** Contours are joined by cuts through waste; `null`: the head pierces for each of them. */
   chains?: Chains,
+  /** Parts stay connected by strips of material, so that their outlines are one cut; `null`: each outline is a cut. */
+  bridges?: Bridges,
   /** Contours that share cuts, such as outlines one kerf apart, are pierced once and cut together; `null`: each is pierced. */
   common_cuts?: SharedCuts,
   /** Pieces that may tip up under the head, and what is done about moves over them; `null`: nothing is known of them. */
@@ -296,6 +298,21 @@ export interface Fly {
    * Sides that are cut one by one are never cut again. Default 0.
    */
   overcut?: number,
+}
+
+/**
+ * Bridges: parts stay connected by strips of material through the waste. The outlines are opened where a strip ends on them, and
+ * the sides of the strips are cut, so that the outlines of connected parts are one cut, which is pierced once.
+ */
+export interface Bridges {
+  /** Width of a strip, mm. */
+  width: number,
+  /** Longest strip, mm. */
+  reach: number,
+  /** Least distance of a strip from everything else that is cut or marked, and from the corners of the sides that it joins, mm. Default 1. */
+  clearance?: number,
+  /** Most parts that hang together; `null`: any number. */
+  most?: number | null,
 }
 
 /**
@@ -965,6 +982,8 @@ export interface Summary {
   edge_starts?: number,
   /** The length of all of them, mm, which is part of the length of cuts. */
   chain_length?: number,
+  /** Number of bridges between parts. */
+  bridges?: number,
   /** Number of air moves for which the head is lifted. */
   lifts?: number,
   /** Number of air moves that go around pieces that may have tipped. */

@@ -16,7 +16,7 @@ const scope = self as unknown as {
 const session = new Session({
   post: (message, transfer = []) => scope.postMessage(message, transfer),
   research: async () => {
-    throw new KerfwayError('not-in-this-build', 'The single-file build reads no SVG, has no methods from papers, and does not plan the levers fly, chains, common_cuts, tips, heat and corners. Use the package with its files for them.');
+    throw new KerfwayError('not-in-this-build', 'The single-file build reads no SVG, has no methods from papers, and does not plan the levers fly, chains, bridges, common_cuts, tips, heat and corners. Use the package with its files for them.');
   },
   outputs: async (given) => {
     await outputs.default({ module_or_path: given });

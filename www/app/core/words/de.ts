@@ -31,6 +31,7 @@ export const de: Words = {
     'overlap-removed': (n, w) => counted(n, w, 'überlappende Linie entfernt', 'überlappende Linien entfernt'),
     'feature-too-small': (n, w) => counted(n, w, 'Kontur zu klein für den Strahl', 'Konturen zu klein für den Strahl'),
     'common-cut': (n, w) => counted(n, w, 'Gruppe von Konturen mit gemeinsamen Schnitten', 'Gruppen von Konturen mit gemeinsamen Schnitten'),
+    bridges: (n, w) => counted(n, w, 'Brücke zwischen Teilen', 'Brücken zwischen Teilen'),
     'part-shift': (n, w) => counted(n, w, 'Teil mit einem Schnittspalt Abstand zum Nachbarn, wenn verschoben', 'Teile mit einem Schnittspalt Abstand zum Nachbarn, wenn verschoben'),
     'kerf-not-applied': (n, w) => counted(n, w, 'Kontur ohne Schnittfugenkorrektur', 'Konturen ohne Schnittfugenkorrektur'),
     'zero-length': (n, w) => counted(n, w, 'Element ohne Länge entfernt', 'Elemente ohne Länge entfernt'),
@@ -337,6 +338,8 @@ export const de: Words = {
     fly: 'Reihen und Raster im Flug schneiden', reach: 'Längster Weg zwischen zwei Schnitten', flyOvercut: 'Jede Kontur noch einmal schneiden um',
     aboutFly: 'Der Kopf hält zwischen Löchern einer Reihe und an den Seiten eines Rasters nicht an: der Strahl geht während der Fahrt an und aus. Für Blech, das sofort durchgeschnitten ist, und Steuerungen, die den Strahl in Bewegung schalten. Was Anfahrten oder Mikrostege hat, wird einzeln geschnitten.',
     chains: 'Konturen durch den Abfall verbinden', chainReach: 'Längster Schnitt durch den Abfall', chainClearance: 'Abstand von anderen Konturen',
+    bridges: 'Teile durch Brücken verbinden', bridgeWidth: 'Breite einer Brücke', bridgeMost: 'Höchstens so viele Teile zusammen',
+    aboutBridges: 'Teile hängen an Stegen aus Material zusammen, die ein Mensch trennt, und für ihre Umrisse wird einmal eingestochen. Das ist nur dort kürzer, wo Einstechen lange dauert.',
     edgeStarts: 'Auch in Schnitten und am Rand der Tafel beginnen',
     shared: 'Gemeinsame Seiten zusammen schneiden', shift: 'Verschiebbare Teile nennen, bis zu', shiftParts: 'Diese Teile verschieben', aboutShared: 'Für Teile mit einem Schnittspalt Abstand: einmal eingestochen und als eines geschnitten. Wo der Strahl in ihren Schnitten neu beginnt, sticht er nicht ein.',
     aboutChains: 'Vom Ende einer Kontur schneidet der Strahl gerade durch den Abfall zur nächsten, wo das schneller ist als ausschalten, fahren und einstechen. Am meisten gewinnen Teile, die Ecke an Ecke liegen.',
@@ -406,7 +409,7 @@ export const de: Words = {
 
   savings: {
     title: 'Was spart was', about: 'Jede Entscheidung wird einmal weggelassen und der Rest neu geplant.', ask: 'Ausrechnen', working: 'Rechnet…',
-    decisions: { order: 'Reihenfolge, statt nächste zuerst', entry: 'Einstiche, statt wo Linien beginnen', common: 'Gemeinsame Seiten einmal schneiden', partial: 'Konturen unfertig lassen', leads: 'Anfahrten', 'moving-pierce': 'Schnitte in Bewegung beginnen', fly: 'Schneiden im Flug', chains: 'Schnitte durch den Abfall zwischen Konturen', 'edge-starts': 'Starts in einem Schnitt', 'common-cuts': 'Gemeinsame Seiten zusammen schneiden', 'lift-on-the-way': 'Kopf auf dem Weg heben', 'stay-down': 'Unten bleiben auf kurzen Wegen', 'avoid-tips': 'Gekippten Teilen ausweichen, statt immer zu heben', heat: 'Schnitte abkühlen lassen', corners: 'In Ecken nicht anhalten', 'flying-joints': 'Mikrostege ohne Halt' },
+    decisions: { order: 'Reihenfolge, statt nächste zuerst', entry: 'Einstiche, statt wo Linien beginnen', common: 'Gemeinsame Seiten einmal schneiden', partial: 'Konturen unfertig lassen', leads: 'Anfahrten', 'moving-pierce': 'Schnitte in Bewegung beginnen', fly: 'Schneiden im Flug', chains: 'Schnitte durch den Abfall zwischen Konturen', 'edge-starts': 'Starts in einem Schnitt', bridges: 'Brücken zwischen Teilen', 'common-cuts': 'Gemeinsame Seiten zusammen schneiden', 'lift-on-the-way': 'Kopf auf dem Weg heben', 'stay-down': 'Unten bleiben auf kurzen Wegen', 'avoid-tips': 'Gekippten Teilen ausweichen, statt immer zu heben', heat: 'Schnitte abkühlen lassen', corners: 'In Ecken nicht anhalten', 'flying-joints': 'Mikrostege ohne Halt' },
     saves: (time) => `spart ${time}`, costs: (time) => `kostet ${time}`, done: (s) => `Pläne ohne eine Entscheidung wurden je bis zu ${s} s gesucht.`,
   },
 
@@ -456,7 +459,7 @@ export const de: Words = {
     reversed: 'umgekehrt', asDrawn: 'wie gezeichnet', open: 'offen',
   },
 
-  stage: { bed: (size) => `Arbeitsbereich ${size}`, first: 'erste', last: 'letzte', common: 'einmal für zwei Teile geschnitten', colours: 'Farben nach Reihenfolge (C)', layers: 'Farben der Layer wie gezeichnet (V)', air: 'Leerfahrten (A)', several: 'Mehrere auswählen: Klicks fügen hinzu, Ziehen zeichnet einen Rahmen (B)', measure: 'Zwischen zwei Punkten messen (D)', measuring: 'Klicken Sie zwei Punkte an: sie rasten an Enden und Mittelpunkten ein. Esc beendet das.', view: 'Ansicht', zoomIn: 'Vergrößern (+)', zoomOut: 'Verkleinern (−)', fit: 'Tafel einpassen (F)' },
+  stage: { bed: (size) => `Arbeitsbereich ${size}`, first: 'erste', last: 'letzte', common: 'von zwei Teilen geteilt', colours: 'Farben nach Reihenfolge (C)', layers: 'Farben der Layer wie gezeichnet (V)', air: 'Leerfahrten (A)', several: 'Mehrere auswählen: Klicks fügen hinzu, Ziehen zeichnet einen Rahmen (B)', measure: 'Zwischen zwei Punkten messen (D)', measuring: 'Klicken Sie zwei Punkte an: sie rasten an Enden und Mittelpunkten ein. Esc beendet das.', view: 'Ansicht', zoomIn: 'Vergrößern (+)', zoomOut: 'Verkleinern (−)', fit: 'Tafel einpassen (F)' },
 
   playback: {
     play: 'Abspielen', moment: 'Zeit im Auftrag', speed: 'Geschwindigkeit', whole: 'Ganzer Auftrag in 20 s', pauseKey: 'Den Schnitt anhalten (Leertaste)', playKey: 'Den Schnitt abspielen (Leertaste)',

@@ -39,6 +39,7 @@ const findingTitles: Record<FindingCode, Counted> = {
   'overlap-removed': (n, w) => counted(n, w, 'overlapping line removed', 'overlapping lines removed'),
   'feature-too-small': (n, w) => counted(n, w, 'contour too small for the beam', 'contours too small for the beam'),
   'common-cut': (n, w) => counted(n, w, 'group of contours with shared cuts', 'groups of contours with shared cuts'),
+  bridges: (n, w) => counted(n, w, 'bridge'),
   'part-shift': (n, w) => counted(n, w, 'part could stand one kerf from a neighbour', 'parts could stand one kerf from a neighbour'),
   'kerf-not-applied': (n, w) => counted(n, w, 'contour without kerf compensation', 'contours without kerf compensation'),
   'zero-length': (n, w) => counted(n, w, 'element of zero length removed', 'elements of zero length removed'),
@@ -286,6 +287,8 @@ export const en = {
     fly: 'Cut rows and grids on the run', reach: 'Longest way between two cuts', flyOvercut: 'Cut each contour again by',
     aboutFly: 'The head does not stop between holes in a row, or along the sides of a grid: the beam goes on and off as it runs. For sheet that is cut through at once, and controllers that switch the beam in motion. What has leads or micro-joints is cut one by one.',
     chains: 'Join contours through waste', chainReach: 'Longest cut through waste', chainClearance: 'Distance from other contours',
+    bridges: 'Connect parts by bridges', bridgeWidth: 'Width of a bridge', bridgeMost: 'Most parts together',
+    aboutBridges: 'Strips of material hold parts together, so that their outlines are pierced once. A person breaks them.',
     edgeStarts: 'Begin on kerfs and at the edge of the sheet, too',
     shared: 'Cut shared sides together', shift: 'Say which parts to shift by up to', shiftParts: 'Shift them', aboutShared: 'For parts one kerf apart: pierced once and cut as one. Where the beam begins again on their kerfs, it does not pierce.',
     aboutChains: 'From the end of a contour the beam cuts straight through the waste to the next one, where that is quicker than switching off, moving and piercing. Parts that stand corner to corner gain the most.',
@@ -355,7 +358,7 @@ export const en = {
 
   savings: {
     title: 'What saves what', about: 'Each decision is left out once, and the rest is planned again.', ask: 'Work it out', working: 'Working…',
-    decisions: { order: 'Order, instead of nearest first', entry: 'Entries, instead of where lines begin', common: 'Cutting shared sides once', partial: 'Leaving contours unfinished', leads: 'Leads', 'moving-pierce': 'Beginning cuts moving', fly: 'Cuts on the run', chains: 'Cuts through waste between contours', 'edge-starts': 'Starts on a kerf', 'common-cuts': 'Cutting shared sides together', 'lift-on-the-way': 'Lifting the head on the way', 'stay-down': 'Staying down on short moves', 'avoid-tips': 'Avoiding pieces that tip, instead of always lifting', heat: 'Letting cuts cool', corners: 'Not stopping in corners', 'flying-joints': 'Joints without a stop' } satisfies Record<Decision, string>,
+    decisions: { order: 'Order, instead of nearest first', entry: 'Entries, instead of where lines begin', common: 'Cutting shared sides once', partial: 'Leaving contours unfinished', leads: 'Leads', 'moving-pierce': 'Beginning cuts moving', fly: 'Cuts on the run', chains: 'Cuts through waste between contours', 'edge-starts': 'Starts on a kerf', bridges: 'Bridges', 'common-cuts': 'Cutting shared sides together', 'lift-on-the-way': 'Lifting the head on the way', 'stay-down': 'Staying down on short moves', 'avoid-tips': 'Avoiding pieces that tip, instead of always lifting', heat: 'Letting cuts cool', corners: 'Not stopping in corners', 'flying-joints': 'Joints without a stop' } satisfies Record<Decision, string>,
     saves: (time: string) => `saves ${time}`, costs: (time: string) => `costs ${time}`, done: (s: number) => `Plans without a decision were searched for up to ${s} s each.`,
   },
 
@@ -405,7 +408,7 @@ export const en = {
     reversed: 'reversed', asDrawn: 'as drawn', open: 'open',
   },
 
-  stage: { bed: (size: string) => `bed ${size}`, first: 'first', last: 'last', common: 'cut once for two parts', colours: 'Colour by order (C)', layers: 'Colours of layers as drawn (V)', air: 'Air moves (A)', several: 'Select several: clicks add, dragging draws a box (B)', measure: 'Measure between two points (D)', measuring: 'Click two points: they snap to ends and centres. Esc ends it.', view: 'View', zoomIn: 'Zoom in (+)', zoomOut: 'Zoom out (−)', fit: 'Fit the sheet (F)' },
+  stage: { bed: (size: string) => `bed ${size}`, first: 'first', last: 'last', common: 'shared by two parts', colours: 'Colour by order (C)', layers: 'Colours of layers as drawn (V)', air: 'Air moves (A)', several: 'Select several: clicks add, dragging draws a box (B)', measure: 'Measure between two points (D)', measuring: 'Click two points: they snap to ends and centres. Esc ends it.', view: 'View', zoomIn: 'Zoom in (+)', zoomOut: 'Zoom out (−)', fit: 'Fit the sheet (F)' },
 
   playback: {
     play: 'Play', moment: 'Time in the job', speed: 'Speed', whole: 'Whole job in 20 s', pauseKey: 'Pause the cut (Space)', playKey: 'Play the cut (Space)',

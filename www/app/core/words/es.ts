@@ -31,6 +31,7 @@ export const es: Words = {
     'overlap-removed': (n, w) => counted(n, w, 'línea superpuesta eliminada', 'líneas superpuestas eliminadas'),
     'feature-too-small': (n, w) => counted(n, w, 'contorno demasiado pequeño para el haz', 'contornos demasiado pequeños para el haz'),
     'common-cut': (n, w) => counted(n, w, 'grupo de contornos con cortes comunes', 'grupos de contornos con cortes comunes'),
+    bridges: (n, w) => counted(n, w, 'puente entre piezas', 'puentes entre piezas'),
     'part-shift': (n, w) => counted(n, w, 'pieza a un ancho de corte de otra si se desplaza', 'piezas a un ancho de corte de otra si se desplazan'),
     'kerf-not-applied': (n, w) => counted(n, w, 'contorno sin compensación del ancho de corte', 'contornos sin compensación del ancho de corte'),
     'zero-length': (n, w) => counted(n, w, 'elemento de longitud cero eliminado', 'elementos de longitud cero eliminados'),
@@ -337,6 +338,8 @@ export const es: Words = {
     fly: 'Cortar filas y cuadrículas al vuelo', reach: 'Trayecto más largo entre dos cortes', flyOvercut: 'Volver a cortar de cada contorno',
     aboutFly: 'El cabezal no se detiene entre los agujeros de una fila ni a lo largo de los lados de una cuadrícula: el haz se enciende y se apaga en marcha. Para chapa que se atraviesa al instante y controladores que conmutan el haz en movimiento. Lo que tiene entradas o microuniones se corta de uno en uno.',
     chains: 'Unir contornos por el material sobrante', chainReach: 'Corte más largo por el sobrante', chainClearance: 'Distancia a otros contornos',
+    bridges: 'Unir piezas con puentes', bridgeWidth: 'Ancho de un puente', bridgeMost: 'Máximo de piezas unidas',
+    aboutBridges: 'Las piezas quedan unidas por tiras de material, que una persona rompe, y sus contornos se perforan una vez. Solo ahorra tiempo donde perforar tarda mucho.',
     edgeStarts: 'Empezar también en cortes hechos y en el borde de la chapa',
     shared: 'Cortar juntos los lados comunes', shift: 'Indicar piezas que se podrían desplazar hasta', shiftParts: 'Desplazarlas', aboutShared: 'Para piezas a un ancho de corte de distancia: se perforan una vez y se cortan como una. Donde el haz vuelve a empezar en sus cortes, no perfora.',
     aboutChains: 'Desde el final de un contorno el haz corta en línea recta por el material sobrante hasta el siguiente, donde eso es más rápido que apagar, desplazarse y perforar. Ganan más las piezas que están esquina con esquina.',
@@ -406,7 +409,7 @@ export const es: Words = {
 
   savings: {
     title: 'Qué ahorra qué', about: 'Cada decisión se quita una vez y el resto se planifica de nuevo.', ask: 'Calcularlo', working: 'Calculando…',
-    decisions: { order: 'Orden, en vez del más cercano primero', entry: 'Perforaciones, en vez de donde empiezan las líneas', common: 'Cortar una vez los lados comunes', partial: 'Dejar contornos sin acabar', leads: 'Entradas', 'moving-pierce': 'Empezar los cortes en movimiento', fly: 'Cortes al vuelo', chains: 'Cortes por el sobrante entre contornos', 'edge-starts': 'Inicios en un corte', 'common-cuts': 'Cortar juntos los lados comunes', 'lift-on-the-way': 'Levantar el cabezal por el camino', 'stay-down': 'Quedarse abajo en trayectos cortos', 'avoid-tips': 'Evitar piezas que se levantan, en vez de levantar siempre', heat: 'Dejar enfriar los cortes', corners: 'No parar en las esquinas', 'flying-joints': 'Microuniones sin parada' },
+    decisions: { order: 'Orden, en vez del más cercano primero', entry: 'Perforaciones, en vez de donde empiezan las líneas', common: 'Cortar una vez los lados comunes', partial: 'Dejar contornos sin acabar', leads: 'Entradas', 'moving-pierce': 'Empezar los cortes en movimiento', fly: 'Cortes al vuelo', chains: 'Cortes por el sobrante entre contornos', 'edge-starts': 'Inicios en un corte', bridges: 'Puentes entre piezas', 'common-cuts': 'Cortar juntos los lados comunes', 'lift-on-the-way': 'Levantar el cabezal por el camino', 'stay-down': 'Quedarse abajo en trayectos cortos', 'avoid-tips': 'Evitar piezas que se levantan, en vez de levantar siempre', heat: 'Dejar enfriar los cortes', corners: 'No parar en las esquinas', 'flying-joints': 'Microuniones sin parada' },
     saves: (time) => `ahorra ${time}`, costs: (time) => `cuesta ${time}`, done: (s) => `Los planes sin una decisión se buscaron hasta ${s} s cada uno.`,
   },
 
@@ -456,7 +459,7 @@ export const es: Words = {
     reversed: 'inverso', asDrawn: 'como está dibujado', open: 'abierto',
   },
 
-  stage: { bed: (size) => `mesa ${size}`, first: 'primero', last: 'último', common: 'cortado una vez para dos piezas', colours: 'Color por orden (C)', layers: 'Colores de las capas como están dibujadas (V)', air: 'Movimientos en vacío (A)', several: 'Seleccionar varios: los clics añaden, arrastrar dibuja un recuadro (B)', measure: 'Medir entre dos puntos (D)', measuring: 'Haga clic en dos puntos: se ajustan a extremos y centros. Esc termina.', view: 'Vista', zoomIn: 'Acercar (+)', zoomOut: 'Alejar (−)', fit: 'Encajar la chapa (F)' },
+  stage: { bed: (size) => `mesa ${size}`, first: 'primero', last: 'último', common: 'compartido por dos piezas', colours: 'Color por orden (C)', layers: 'Colores de las capas como están dibujadas (V)', air: 'Movimientos en vacío (A)', several: 'Seleccionar varios: los clics añaden, arrastrar dibuja un recuadro (B)', measure: 'Medir entre dos puntos (D)', measuring: 'Haga clic en dos puntos: se ajustan a extremos y centros. Esc termina.', view: 'Vista', zoomIn: 'Acercar (+)', zoomOut: 'Alejar (−)', fit: 'Encajar la chapa (F)' },
 
   playback: {
     play: 'Reproducir', moment: 'Tiempo en el trabajo', speed: 'Velocidad', whole: 'Todo el trabajo en 20 s', pauseKey: 'Pausar el corte (Espacio)', playKey: 'Reproducir el corte (Espacio)',

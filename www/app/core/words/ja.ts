@@ -28,6 +28,7 @@ export const ja: Words = {
     'overlap-removed': (_n, w) => `削除した重なり ${w} 本`,
     'feature-too-small': (_n, w) => `ビームに対して小さすぎる輪郭 ${w} 個`,
     'common-cut': (_n, w) => `切断線を共有する輪郭の組 ${w} 組`,
+    bridges: (_n, w) => `部品間のブリッジ ${w} 個`,
     'part-shift': (_n, w) => `移動すれば隣と切断幅だけ離れる部品 ${w} 個`,
     'kerf-not-applied': (_n, w) => `カーフ補正なしの輪郭 ${w} 個`,
     'zero-length': (_n, w) => `削除した長さゼロの要素 ${w} 個`,
@@ -334,6 +335,8 @@ export const ja: Words = {
     fly: '列と格子を走りながら切断', reach: '2つの切断の間の最長距離', flyOvercut: '各輪郭を重ねて切る長さ',
     aboutFly: '一列の穴の間や格子の辺に沿って、ヘッドは止まりません。ビームは走りながら点灯・消灯します。すぐ貫通する板と、動作中にビームを切り替えられる制御装置に使います。リードやマイクロジョイントのある輪郭は1つずつ切断します。',
     chains: '端材を通って輪郭をつなぐ', chainReach: '端材を通る切断の最長距離', chainClearance: '他の輪郭からの距離',
+    bridges: '部品をブリッジでつなぐ', bridgeWidth: 'ブリッジの幅', bridgeMost: 'つなぐ部品の最大数',
+    aboutBridges: '部品は材料の帯でつながったまま残り、人が切り離します。外形のピアスは 1 回です。ピアスに時間がかかる場合だけ速くなります。',
     edgeStarts: '切断済みの線と板の端からも始める',
     shared: '共有する辺をまとめて切断', shift: '移動できる部品を示す（最大）', shiftParts: 'それらを移動する', aboutShared: '切断幅だけ離れた部品用：穴あけは 1 回で、まとめて切断します。その切断線からの再開では穴あけをしません。',
     aboutChains: '輪郭の終わりから次の輪郭まで、ビームが端材をまっすぐ切って進みます。消灯、移動、ピアスより速い場所だけです。角と角が向き合う部品で最も効果があります。',
@@ -403,7 +406,7 @@ export const ja: Words = {
 
   savings: {
     title: '何がどれだけ短縮するか', about: '決定を 1 つずつ外し、残りを計画し直します。', ask: '計算する', working: '計算中…',
-    decisions: { order: '順番（近い順の代わり）', entry: '切り始め（線の始点の代わり）', common: '共有する辺を 1 回で切断', partial: '輪郭を途中で残す', leads: 'リード', 'moving-pierce': '動きながらの切断開始', fly: '走りながらの切断', chains: '輪郭の間の端材の切断', 'edge-starts': '切断線からの開始', 'common-cuts': '共有する辺をまとめて切断', 'lift-on-the-way': '移動しながらヘッドを上げる', 'stay-down': '短い移動で下げたまま', 'avoid-tips': '起き上がる部品を避ける（常に上げる代わり）', heat: '切断部を冷ます', corners: '角で止まらない', 'flying-joints': '止まらないジョイント' },
+    decisions: { order: '順番（近い順の代わり）', entry: '切り始め（線の始点の代わり）', common: '共有する辺を 1 回で切断', partial: '輪郭を途中で残す', leads: 'リード', 'moving-pierce': '動きながらの切断開始', fly: '走りながらの切断', chains: '輪郭の間の端材の切断', 'edge-starts': '切断線からの開始', bridges: '部品間のブリッジ', 'common-cuts': '共有する辺をまとめて切断', 'lift-on-the-way': '移動しながらヘッドを上げる', 'stay-down': '短い移動で下げたまま', 'avoid-tips': '起き上がる部品を避ける（常に上げる代わり）', heat: '切断部を冷ます', corners: '角で止まらない', 'flying-joints': '止まらないジョイント' },
     saves: (time) => `${time} 短縮`, costs: (time) => `${time} 増加`, done: (s) => `決定を外した計画はそれぞれ最大 ${s} 秒探索しました。`,
   },
 
@@ -453,7 +456,7 @@ export const ja: Words = {
     reversed: '逆向き', asDrawn: '図面どおり', open: '開',
   },
 
-  stage: { bed: (size) => `ベッド ${size}`, first: '最初', last: '最後', common: '2 つの部品を 1 回で切断', colours: '順番で色分け（C）', layers: 'レイヤーの元の色（V）', air: '空走（A）', several: '複数選択：クリックで追加、ドラッグで枠（B）', measure: '2 点間を測る（D）', measuring: '2 点をクリックしてください。端と中心に吸着します。Esc で終わります。', view: '表示', zoomIn: '拡大（+）', zoomOut: '縮小（−）', fit: '板を収める（F）' },
+  stage: { bed: (size) => `ベッド ${size}`, first: '最初', last: '最後', common: '2 つの部品で共有', colours: '順番で色分け（C）', layers: 'レイヤーの元の色（V）', air: '空走（A）', several: '複数選択：クリックで追加、ドラッグで枠（B）', measure: '2 点間を測る（D）', measuring: '2 点をクリックしてください。端と中心に吸着します。Esc で終わります。', view: '表示', zoomIn: '拡大（+）', zoomOut: '縮小（−）', fit: '板を収める（F）' },
 
   playback: {
     play: '再生', moment: 'ジョブ内の時刻', speed: '速さ', whole: 'ジョブ全体を 20 秒で', pauseKey: '再生を一時停止（スペース）', playKey: '切断を再生（スペース）',

@@ -28,6 +28,7 @@ export const zh: Words = {
     'overlap-removed': (_n, w) => `已删除 ${w} 条重叠线`,
     'feature-too-small': (_n, w) => `${w} 个轮廓对光束来说太小`,
     'common-cut': (_n, w) => `${w} 组轮廓共用切边`,
+    bridges: (_n, w) => `${w} 个零件间的连桥`,
     'part-shift': (_n, w) => `${w} 个零件移动后与相邻零件相距一个切缝`,
     'kerf-not-applied': (_n, w) => `${w} 个轮廓没有割缝补偿`,
     'zero-length': (_n, w) => `已删除 ${w} 个长度为零的元素`,
@@ -334,6 +335,8 @@ export const zh: Words = {
     fly: '飞行切割成行和网格的轮廓', reach: '两次切割之间的最大距离', flyOvercut: '每个轮廓重切长度',
     aboutFly: '切割头在一行孔之间以及沿网格各边不停顿：光束在运动中开关。适用于立即切透的板，以及能在运动中开关光束的控制器。带引线或微连接的轮廓逐个切割。',
     chains: '穿过废料连接轮廓', chainReach: '穿过废料的最长切割', chainClearance: '与其他轮廓的距离',
+    bridges: '用连桥连接零件', bridgeWidth: '连桥宽度', bridgeMost: '最多连接的零件数',
+    aboutBridges: '零件由材料条相连，由人工分开，其外形只穿孔一次。只有穿孔耗时长时才更快。',
     edgeStarts: '也可从已有切缝和板材边缘开始',
     shared: '共用边一起切割', shift: '指出可移动的零件，最多', shiftParts: '移动这些零件', aboutShared: '用于相距一个切缝的零件：只穿孔一次，作为整体切割。光束在其切缝上重新开始时不再穿孔。',
     aboutChains: '从一个轮廓的终点，光束直线穿过废料切到下一个轮廓，只在比关光、移动和穿孔更快的地方。角对角排列的零件获益最多。',
@@ -403,7 +406,7 @@ export const zh: Words = {
 
   savings: {
     title: '各项节省', about: '每次去掉一项决定，其余重新规划。', ask: '计算', working: '计算中…',
-    decisions: { order: '顺序，而非最近优先', entry: '切入点，而非线的起点', common: '共用边只切一次', partial: '暂不切完轮廓', leads: '引线', 'moving-pierce': '运动中开始切割', fly: '飞行切割', chains: '轮廓之间穿过废料的切割', 'edge-starts': '从切缝开始', 'common-cuts': '共用边一起切割', 'lift-on-the-way': '移动途中抬起切割头', 'stay-down': '短距离不抬起', 'avoid-tips': '避开可能翘起的零件，而非总是抬起', heat: '让切口冷却', corners: '拐角不停顿', 'flying-joints': '不停顿的微连接' },
+    decisions: { order: '顺序，而非最近优先', entry: '切入点，而非线的起点', common: '共用边只切一次', partial: '暂不切完轮廓', leads: '引线', 'moving-pierce': '运动中开始切割', fly: '飞行切割', chains: '轮廓之间穿过废料的切割', 'edge-starts': '从切缝开始', bridges: '零件间的连桥', 'common-cuts': '共用边一起切割', 'lift-on-the-way': '移动途中抬起切割头', 'stay-down': '短距离不抬起', 'avoid-tips': '避开可能翘起的零件，而非总是抬起', heat: '让切口冷却', corners: '拐角不停顿', 'flying-joints': '不停顿的微连接' },
     saves: (time) => `节省 ${time}`, costs: (time) => `多用 ${time}`, done: (s) => `去掉一项决定的方案各搜索了至多 ${s} 秒。`,
   },
 
@@ -453,7 +456,7 @@ export const zh: Words = {
     reversed: '反向', asDrawn: '按图', open: '未闭合',
   },
 
-  stage: { bed: (size) => `工作台 ${size}`, first: '最先', last: '最后', common: '两个零件只切一次', colours: '按顺序着色（C）', layers: '图层原色（V）', air: '空移（A）', several: '选择多个：点击添加，拖动画框（B）', measure: '测量两点（D）', measuring: '点击两个点：会吸附到端点和中心。按 Esc 结束。', view: '视图', zoomIn: '放大（+）', zoomOut: '缩小（−）', fit: '适配板材（F）' },
+  stage: { bed: (size) => `工作台 ${size}`, first: '最先', last: '最后', common: '两个零件共用', colours: '按顺序着色（C）', layers: '图层原色（V）', air: '空移（A）', several: '选择多个：点击添加，拖动画框（B）', measure: '测量两点（D）', measuring: '点击两个点：会吸附到端点和中心。按 Esc 结束。', view: '视图', zoomIn: '放大（+）', zoomOut: '缩小（−）', fit: '适配板材（F）' },
 
   playback: {
     play: '播放', moment: '任务中的时间', speed: '速度', whole: '20 秒播完整个任务', pauseKey: '暂停播放（空格）', playKey: '播放切割（空格）',

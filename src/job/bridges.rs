@@ -1,0 +1,55 @@
+//! Bridges between parts, and what is reported of them.
+
+use super::JobError;
+use crate::fields::{Fault, FieldError};
+use crate::finding::{Code, Finding, Severity};
+use crate::machine::{PLANS_ALL_LEVERS, Profile};
+use crate::sheet::Sheet;
+
+/// Refuses what cannot be asked for together with bridges.
+pub(super) fn check(sheet: &Sheet, machine: &Profile) -> Result<(), JobError> {
+    let Some(bridges) = machine.levers.bridges.filter(|_| PLANS_ALL_LEVERS) else { return Ok(()) };
+    if let Some((field, value, range)) = bridges.numbers().into_iter().find(|n| !n.2.holds(n.1)) {
+        return Err(FieldError::out_of_range("The machine's field", field, value, &range).into());
+    }
+    if sheet.part_by_part {
+        let sentence = "Parts that bridges connect are finished together. Leave out \"levers.bridges\", or do not cut part by part.";
+        return Err(JobError::Conflict { field: "machine.levers", sentence });
+    }
+    let others =
+        [("pre_cut_time", machine.pre_cut_time.is_some()), ("levers.fly", machine.levers.fly.is_some())];
+    match others.into_iter().find(|other| other.1) {
+        None => Ok(()),
+        Some((other, _)) => {
+            let message = format!(
+                "The machine has levers.bridges and {other}. Outlines that bridges connect are cut in one go: give one of them."
+            );
+            Err(FieldError::new(Fault::Contradiction, "machine.levers", message).into())
+        }
+    }
+}
+
+/// The sheet with the bridges that the machine asks for; `None` if there are none. A finding says how many.
+pub(super) fn bridged(sheet: &Sheet, machine: &Profile, findings: &mut Vec<Finding>) -> Option<Sheet> {
+    machine.levers.bridges.filter(|_| PLANS_ALL_LEVERS)?;
+    let bridged = sheet.with_bridges(machine);
+    let all = bridged.as_ref().map_or(&[][..], |sheet| &sheet.bridged);
+    let (strips, parts) = all.iter().fold((0, 0), |(s, p), b| (s + b.strips.len(), p + b.outlines.len()));
+    let message = if all.is_empty() {
+        "No bridge saves time: no two parts face each other within reach with room for one, or piercing takes less than its sides.".to_owned()
+    } else {
+        let (bridges, pieces) = (plural(strips, "bridge"), plural(all.len(), "piece"));
+        format!("{parts} parts are connected by {bridges} to {pieces}, which a person separates.")
+    };
+    let finding = Finding::new(Code::Bridges, Severity::Info, message);
+    let at = all.first().and_then(|b| b.strips.first()).map(|s| s.sides[0][0]);
+    findings.push(match at {
+        Some(at) => finding.at(at).times(u32::try_from(strips).unwrap_or(u32::MAX)),
+        None => finding,
+    });
+    bridged
+}
+
+fn plural(count: usize, one: &str) -> String {
+    if count == 1 { format!("1 {one}") } else { format!("{count} {one}s") }
+}
