@@ -5,7 +5,7 @@
 //! than a kerf to anything: neither to other parts, where they are by then, nor to marks and open cuts beside it. What lies in a part
 //! moves with it.
 //!
-//! Parts that can meet are chosen together, by a beam search: one part after the other, from the lower left on and again from the upper right
+//! Parts that can meet are chosen together, by a beam search: one part after the other, from the upper right on and again from the lower left
 //! on, keeping the choices by which the most length is one kerf apart, and of these the ones that move the least.
 
 use super::super::model::Sheet;
@@ -91,7 +91,8 @@ fn chosen(parts: &Parts<'_>, group: &[u32], count: usize) -> Vec<DVec2> {
     let upwards: Vec<(usize, u32)> = group.iter().copied().enumerate().collect();
     let downwards: Vec<(usize, u32)> = upwards.iter().rev().copied().collect();
     let mut best = Vec::new();
-    for orders in [[&upwards, &downwards], [&downwards, &upwards]] {
+    // Of equal choices the one that is found first stays: from the upper right on, where the parts at the lower left stay.
+    for orders in [[&downwards, &upwards], [&upwards, &downwards]] {
         let mut choice = Choice { by: vec![DVec2::ZERO; group.len()], ..Choice::default() };
         for (pass, order) in orders.into_iter().cycle().take(PASSES).enumerate() {
             let Some(next) = search(parts, order, &slots, choice.clone(), pass == 0) else { break };

@@ -40,8 +40,11 @@ fn a_shift_is_offered_and_nothing_moves() {
     assert_eq!(offers.len(), 5, "{said:?}");
     let first = "Shifted by (-0.100, 0.000) mm, this part would stand one kerf from a neighbour. It stays where it is drawn.";
     assert!(said.iter().any(|s| s == first), "{said:?}");
-    let corner = offers.iter().find(|f| f.message.contains("(-0.100, 0.100)")).unwrap();
-    assert_eq!(corner.at.map(|p| p.round()), Some(DVec2::new(141.0, 100.0)));
+    let corner = offers.iter().find(|f| f.at.map(|p| p.round()) == Some(DVec2::new(141.0, 111.0))).unwrap();
+    assert!(corner.message.contains("(-0.100, "), "{}", corner.message);
+    // Of two, the one at the lower left stays.
+    let two = found(&started(drawing(&spaced(2, 1, KERF + 0.1)), shifting(0.5, false)));
+    assert_eq!(two.iter().map(|f| f.message.as_str()).collect::<Vec<_>>(), [first]);
     let plan = job.plan().unwrap().summary;
     assert_eq!(plan.pierces, 6);
     let without = started(bytes, together("fibre-6kw-thick"));
