@@ -311,7 +311,7 @@ export interface Bridges {
   reach: number,
   /** Least distance of a strip from everything else that is cut or marked, and from the corners of the sides that it joins, mm. Default 1. */
   clearance?: number,
-  /** Most parts that hang together; `null`: any number. */
+  /** Most parts that hang together, a whole number; `null`: any number. */
   most?: number | null,
 }
 
