@@ -34,8 +34,6 @@ const CHAINS = { levers: { chains: { reach: 100 } } };
 const EDGES = { levers: { chains: { reach: 100, edge_starts: true } } };
 /** What shares cuts is pierced once. */
 const SHARED = { levers: { common_cuts: {} } };
-/** Parts that hang together, as many as there are. */
-const BRIDGES = { levers: { bridges: { width: 3, reach: 100 } } };
 /** mm: what a fibre laser cuts in thick plate. */
 const KERF = 0.3;
 /** What all machines of a set have. */
@@ -49,10 +47,10 @@ const LEVERS = {
   // No piercing and no delays: nothing to save.
   'diode-hobby': {},
   // Plate is pierced at rest.
-  'fibre-6kw-thick': { chains: CHAINS, 'chains, edge starts': EDGES, bridges: BRIDGES, 'common cuts': SHARED },
+  'fibre-6kw-thick': { chains: CHAINS, 'chains, edge starts': EDGES, 'common cuts': SHARED },
 };
-/** Levers that a machine has not together with the others: what begins moving is not pierced, so that chains have nothing to save, and parts that hang together are another product. */
-const APART = { 'fibre-6kw-thick': ['chains', 'bridges'], 'fibre-3kw-thin': ['chains', 'chains, edge starts'], 'co2-100w': ['chains', 'chains, edge starts'] };
+/** Levers that a machine has not together with the others: what begins moving is not pierced, so that chains have nothing to save. */
+const APART = { 'fibre-6kw-thick': ['chains'], 'fibre-3kw-thin': ['chains', 'chains, edge starts'], 'co2-100w': ['chains', 'chains, edge starts'] };
 const PLATES = [['round', 20], ['round', 100], ['staggered', 20], ['slots', 20]];
 /** Tables of one machine each. */
 const TABLES = { tips, heat, joint };
