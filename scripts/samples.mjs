@@ -78,7 +78,10 @@ const VARIABLES = ['$ACADVER', '$DWGCODEPAGE', '$HANDSEED', '$INSUNITS', '$MEASU
 const TABLES = ['LTYPE', 'STYLE', 'DIMSTYLE'];
 const ENTRIES = ['STANDARD', 'BYLAYER', 'BYBLOCK', 'CONTINUOUS'];
 
-/** A drawing without most of its header, without classes, and without line types and styles that nothing uses. */
+/** Handles and owners: programs give them anew where they are missing. */
+const NAMES = ['5', '330'];
+
+/** A drawing without most of its header, without classes, objects and handles, and without line types and styles that nothing uses. */
 function slim(text) {
   const lines = text.split('\n');
   const kept = [];
@@ -90,11 +93,13 @@ function slim(text) {
       if (value === 'TABLE') table = lines[k + 3];
       const name = () => lines[lines.findIndex((line, j) => j > k && j % 2 === 0 && line === '2') + 1].toUpperCase();
       const isEntry = section === 'TABLES' && !['TABLE', 'ENDTAB', 'SECTION', 'ENDSEC'].includes(value);
-      keeps = value !== 'CLASS' && !(isEntry && TABLES.includes(table) && !ENTRIES.includes(name()));
+      keeps = value !== 'CLASS' && (section !== 'OBJECTS' || ['SECTION', 'ENDSEC', 'EOF'].includes(value)) && !(isEntry && TABLES.includes(table) && !ENTRIES.includes(name()));
     } else if (code === '9' && section === 'HEADER') {
       keeps = VARIABLES.includes(value);
     }
-    if (keeps) kept.push(code, value);
+    const isName = ['ENTITIES', 'BLOCKS'].includes(section) && NAMES.includes(code);
+    const isFlat = section === 'ENTITIES' && ['30', '31'].includes(code) && Number(value) === 0;
+    if (keeps && !isName && !isFlat) kept.push(code, value);
   }
   return `${kept.join('\n')}\n`;
 }

@@ -61,9 +61,11 @@
 
 #[cfg(feature = "research")]
 mod certificate;
+mod charges;
 mod cheap;
 #[cfg(feature = "research")]
 mod halving;
+mod meet;
 mod minorant;
 mod net;
 mod order;

@@ -20,13 +20,13 @@ pub(super) struct State {
     pub(super) memory: u32,
 }
 
-/// Legs from one item to a state of another.
+/// Legs from one item to a state of another, between items whose pair has a table.
 #[derive(Clone, Debug)]
 pub(super) struct Step {
     pub(super) from: usize,
     pub(super) to: usize,
-    /// The pair and which of its two items is left; `None`: only the boxes are known.
-    pub(super) pair: Option<(usize, usize)>,
+    /// The pair and which of its two items is left.
+    pub(super) pair: (usize, usize),
     /// The states left, a range of [`Space::sources`].
     pub(super) sources: Range<usize>,
 }
@@ -42,8 +42,11 @@ pub(super) struct Space {
     /// By the state they lead to.
     pub(super) steps: Vec<Step>,
     pub(super) sources: Vec<usize>,
-    /// The states of each item.
+    /// The states of each item; the first of them remembers nothing.
     pub(super) of: Vec<Vec<usize>>,
+    /// For each item those from where a walk may come without a table. Such a walk forgets everything, so that these legs, which are most of
+    /// all but seldom good, need no sums for each state and knot.
+    pub(super) far: Vec<Vec<usize>>,
 }
 
 impl Space {
@@ -57,13 +60,22 @@ impl Space {
         [directed, backwards]: [bool; 2],
     ) -> Option<Self> {
         let count = company.len();
-        let mut space = Self { of: vec![Vec::new(); count], ..Self::default() };
+        let mut space = Self { of: vec![Vec::new(); count], far: vec![Vec::new(); first], ..Self::default() };
+        let table: Vec<Vec<Option<(usize, usize)>>> =
+            (0..count).map(|to| Self::legs_to(pairs, to, directed, backwards)).collect();
+        let mut near: Vec<Vec<usize>> = vec![Vec::new(); count];
+        for (to, table) in table.iter().enumerate().skip(first) {
+            let allowed = |&from: &usize| from != to && !order.forbids(from, to, backwards);
+            let (with, without): (Vec<usize>, Vec<usize>) =
+                (first..count).filter(allowed).partition(|&from| table[from].is_some());
+            with.into_iter().for_each(|from| near[from].push(to));
+            space.far.push(without);
+        }
         for item in first..count {
             space.state(item, 0);
         }
         // State led to, item left, state left.
         let mut legs: Vec<[usize; 3]> = Vec::new();
-        let mut known: Vec<Option<(usize, usize)>> = Vec::new();
         let mut s = 0;
         while s < space.states.len() {
             if space.states.len() * count > MOST_LEGS {
@@ -71,9 +83,9 @@ impl Space {
             }
             let State { item, memory } = space.states[s];
             let past = remembered(company, item, memory);
-            for next in (first..count).filter(|&j| j != item) {
+            for &next in &near[item] {
                 let out = past.iter().any(|&p| p == next || order.forbids(p, next, backwards));
-                if out || order.forbids(item, next, backwards) {
+                if out {
                     continue;
                 }
                 let kept = |c: &usize| *c == item || past.contains(c);
@@ -89,11 +101,9 @@ impl Space {
             if let Some(step) = last {
                 step.sources.end += 1;
             } else {
-                if space.steps.last().is_none_or(|l| l.to != to) {
-                    known = Self::legs_to(pairs, space.states[to].item, directed, backwards);
-                }
+                let Some(pair) = table[space.states[to].item][from] else { continue };
                 let start = space.sources.len();
-                space.steps.push(Step { from, to, pair: known[from], sources: start..start + 1 });
+                space.steps.push(Step { from, to, pair, sources: start..start + 1 });
             }
             space.sources.push(source);
         }

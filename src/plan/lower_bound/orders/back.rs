@@ -1,6 +1,7 @@
 //! From the last level to the first: what the sets that are left take to the end, the knots in use, and the best orders.
 
-use super::super::walks::{Ground, Visit};
+use super::super::meet::Visit;
+use super::super::walks::Ground;
 use super::{Key, Left, Orders};
 
 impl Orders {
@@ -39,7 +40,7 @@ impl Orders {
         if self.back == ground.count() {
             let home = if ground.first == 1 { (0, self.start) } else { (1, 0) };
             for (left, rest) in rest.iter_mut().enumerate() {
-                *rest = self.seconds(ground, (item, left), home);
+                *rest = self.seconds(ground, (item, left), home) + self.charges.of_leg(item, home.0);
             }
         } else {
             let after = &self.levels[self.back];
@@ -51,7 +52,9 @@ impl Orders {
                 let knots = ground.items[next].knots;
                 for (left, rest) in rest.iter_mut().enumerate() {
                     for (knot, r) in after.rest[at..at + knots].iter().enumerate() {
-                        let value = self.seconds(ground, (item, left), (next, knot)) + self.pay[next] + r;
+                        let value = self.seconds(ground, (item, left), (next, knot))
+                            + self.charges.of_leg(item, next)
+                            + r;
                         *rest = if value < *rest { value } else { *rest };
                     }
                 }
@@ -80,7 +83,7 @@ impl Orders {
             if let Some((seconds, knot)) = best
                 && seconds <= self.limit
             {
-                self.better.seconds = self.better.seconds.min(seconds - self.charges);
+                self.better.seconds = self.better.seconds.min(seconds - self.charges.back());
                 self.better.walks.push(self.trace(ground, (visited, item), knot));
             }
         }

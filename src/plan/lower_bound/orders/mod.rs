@@ -11,9 +11,10 @@
 
 mod back;
 
-use super::pairs::box_seconds;
+use super::charges::Charges;
+use super::meet::Visit;
 use super::space::{Space, remembered};
-use super::walks::{Ground, Pass, Visit, relax};
+use super::walks::{Ground, Pass, relax, relax_all};
 use std::collections::BTreeMap;
 
 /// Most items: their sets are the bits of a number.
@@ -47,14 +48,12 @@ type Key = (u128, usize);
 /// The look at all orders, in pieces of work.
 #[derive(Debug)]
 pub(super) struct Orders {
-    /// The charges of the items, which walks and orders pay at each stop.
-    pay: Vec<f64>,
-    charges: f64,
+    /// What walks and orders pay.
+    charges: Charges,
     /// Orders that take longer than this, with charges, are dropped.
     limit: f64,
-    /// The walks from the end, and for each number of stops and item the least of them.
+    /// The walks from the end.
     pass: Pass,
-    least: Vec<Vec<f64>>,
     /// For each state of the walks from the end the items it remembers, as bits.
     memories: Vec<u128>,
     /// For each item those that must come before it.
@@ -92,7 +91,7 @@ struct Level {
 
 impl Orders {
     /// Looks for orders that take less than `upper` s of travel; `None` if there are too many items.
-    pub(super) fn new(ground: &Ground, pay: &[f64], upper: f64, room: usize) -> Option<Self> {
+    pub(super) fn new(ground: &Ground, charges: &Charges, upper: f64, room: usize) -> Option<Self> {
         if ground.count() > MOST_ITEMS {
             return None;
         }
@@ -103,14 +102,11 @@ impl Orders {
             |s: &super::space::State| bits(&mut remembered(&ground.company, s.item, s.memory).into_iter());
         let before =
             |next: usize| bits(&mut (first..count).filter(|&past| ground.order.forbids(next, past, false)));
-        let charges = pay[first..].iter().sum();
         let directed = ground.prices.directed();
         Some(Self {
-            pay: pay.to_vec(),
-            charges,
-            limit: upper + charges,
+            limit: upper + charges.back(),
+            charges: charges.clone(),
             pass: Pass::default(),
-            least: Vec::new(),
             memories: end.states.iter().map(memory).collect(),
             earlier: (0..count).map(|i| if i < first { 0 } else { before(i) }).collect(),
             legs: (0..count).map(|to| Space::legs_to(&ground.pairs, to, directed, false)).collect(),
@@ -133,15 +129,14 @@ impl Orders {
 
     /// Orders that take as long as this many seconds of travel are not looked for.
     pub(super) fn goal(&self) -> f64 {
-        self.limit - self.charges
+        self.limit - self.charges.back()
     }
 
     /// Does one piece of work: its size, and what is left when all is done.
     pub(super) fn once(&mut self, ground: &Ground) -> (u64, Option<Left>) {
         if self.pass.rows() < ground.count() {
             let side = ground.spaces.len() - 1;
-            ground.advance(side, &mut self.pass, &self.pay);
-            self.sum_up(ground);
+            ground.advance(side, &mut self.pass, &self.charges);
             return (ground.work(side), None);
         }
         if self.back > 0 {
@@ -168,19 +163,6 @@ impl Orders {
         (1 + self.queue.len() as u64, None)
     }
 
-    /// Keeps the least value of each item in the last row of the walks from the end.
-    fn sum_up(&mut self, ground: &Ground) {
-        let (Some(space), Some(row)) = (ground.spaces.last(), self.pass.row(self.pass.rows())) else {
-            return;
-        };
-        let of_item = |(item, states): (usize, &Vec<usize>)| {
-            let knots = ground.items[item].knots;
-            let values = states.iter().flat_map(|&s| &row[space.at[s]..space.at[s] + knots]);
-            values.fold(f64::INFINITY, |m: f64, &v| m.min(v))
-        };
-        self.least.push(space.of.iter().enumerate().map(of_item).collect());
-    }
-
     /// The sets of one item.
     fn begin(&mut self, ground: &Ground) {
         for item in ground.first..ground.items.len() {
@@ -188,7 +170,7 @@ impl Orders {
                 self.now.at.insert((1 << (item - ground.first), item), self.now.values.len());
                 for knot in 0..ground.items[item].knots {
                     let seconds = self.seconds(ground, (0, self.start), (item, knot));
-                    self.now.values.push(seconds + self.pay[item]);
+                    self.now.values.push(seconds + self.charges.of_leg(0, item));
                 }
             }
         }
@@ -211,17 +193,16 @@ impl Orders {
         if from.paired {
             values.chunks_exact_mut(2).for_each(|ends| ends.swap(0, 1));
         }
-        for next in first..ground.items.len() {
+        let Some(least) = self.pass.least(rest - 1) else { return work };
+        for (next, least) in least.iter().enumerate().skip(first) {
             let bit = 1 << (next - first);
             if visited & bit != 0 || self.earlier[next] & !visited != 0 {
                 continue;
             }
             let to = &ground.items[next];
             let leg = self.legs[next][item];
-            let (a, b) = (from.around, to.around);
-            let gap = || box_seconds(&ground.prices, a.min, a.max, b.min, b.max);
-            let seconds = leg.map_or_else(gap, |(e, _)| ground.pairs.list[e].least);
-            if low + seconds + self.least[rest - 2][next] > self.limit {
+            let seconds = leg.map_or_else(|| ground.gap(item, next), |(e, _)| ground.pairs.list[e].least);
+            if low + seconds - self.charges.between(item, next) + least > self.limit {
                 continue;
             }
             let place = self.next.values.len();
@@ -229,7 +210,11 @@ impl Orders {
             if at == place {
                 self.next.values.resize(place + to.knots, f64::INFINITY);
             }
-            relax(&mut self.next.values[at..at + to.knots], &values, self.pay[next], ground.legs(leg), gap);
+            let (row, pay) = (&mut self.next.values[at..at + to.knots], self.charges.of_leg(item, next));
+            match leg {
+                Some(leg) => relax(row, &values, pay, ground.legs(leg)),
+                None => relax_all(row, low + seconds + pay),
+            }
             work += (from.knots * to.knots) as u64;
         }
         work
@@ -252,7 +237,7 @@ impl Orders {
             best.chunks_exact_mut(2).for_each(|ends| ends.swap(0, 1));
         }
         for (value, rest) in values.iter_mut().zip(best) {
-            if *value + rest - self.pay[item] > self.limit {
+            if *value + rest - self.charges.of(item) > self.limit {
                 *value = f64::INFINITY;
             }
         }
@@ -262,10 +247,10 @@ impl Orders {
     /// What the bound charges for a leg from a knot of an item to a knot of another, s.
     fn seconds(&self, ground: &Ground, (from, left): (usize, usize), (to, knot): (usize, usize)) -> f64 {
         let (a, b) = (&ground.items[from], &ground.items[to]);
-        match ground.legs(self.legs[to][from]) {
+        match self.legs[to][from].map(|leg| ground.legs(leg)) {
             Some((table, true)) => table[left * b.knots + knot],
             Some((table, false)) => table[knot * a.knots + left],
-            None => box_seconds(&ground.prices, a.around.min, a.around.max, b.around.min, b.around.max),
+            None => ground.gap(from, to),
         }
     }
 }

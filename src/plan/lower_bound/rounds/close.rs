@@ -1,5 +1,6 @@
 //! When all orders are looked at, and what follows from those that are left.
 
+use super::super::charges::HAS_CUTS;
 use super::super::net::Item;
 use super::super::orders::{Left, Orders};
 use super::looks::LOOKS_AT_ORDERS;
@@ -27,6 +28,13 @@ impl Strong {
         if !wanted || !upper.is_finite() || gap > NEAR * upper || rows > MOST_NUMBERS {
             return false;
         }
+        if HAS_CUTS && !self.charges.cuts().is_empty() {
+            // With cuts, orders may seem to take less than they do. The walks come near without them, too.
+            self.without_cuts = true;
+            self.charges.drop_cuts();
+            self.bundle.drop_cuts();
+            return false;
+        }
         self.looked.is_last = last;
         self.looked.until = if last { u64::MAX } else { self.on_orders + self.work / 2 };
         self.task = Task::Orders;
@@ -43,7 +51,7 @@ impl Strong {
         let goal = upper * (1.0 - self.exact());
         let orders = match self.orders.take() {
             Some(orders) => Some(orders),
-            None => Orders::new(&self.ground, &self.best_pay, goal, MOST_NUMBERS).map(Box::new),
+            None => Orders::new(&self.ground, &self.bundle.best, goal, MOST_NUMBERS).map(Box::new),
         };
         let Some(mut orders) = orders else {
             self.give_up(upper);
@@ -57,12 +65,12 @@ impl Strong {
             None => self.orders = Some(orders),
             Some(Left::TooMany) => self.give_up(upper),
             Some(Left::Nothing) => {
-                self.best = self.best.max(goal - self.guard(&self.best_pay, goal));
+                self.best = self.best.max(goal - self.guard(&self.bundle.best, goal));
                 self.task = Task::Nothing;
             }
             Some(Left::Orders(better)) => {
-                self.best = self.best.max(better.seconds - self.guard(&self.best_pay, better.seconds));
-                self.walks = better.walks;
+                self.best = self.best.max(better.seconds - self.guard(&self.bundle.best, better.seconds));
+                self.walks = better.walks.into_iter().map(|walk| (1.0, walk)).collect();
                 (self.looked.has_begun, self.looked.until) = (true, u64::MAX);
                 if self.best < upper * (1.0 - self.exact()) && self.refine_orders(upper, &better.in_use) {
                     self.prepare(true);

@@ -1,34 +1,34 @@
-//! The strong bound: walks, charges that drive them to visit every item once, and rounds after which walks remember more and
-//! contours are divided more finely. When few orders can be better than the known path, all of them are looked at (`close.rs`).
+//! The strong bound: walks, charges and cuts that drive them to visit every item once (`bundle.rs`, `cuts.rs`), and rounds after which walks
+//! remember more and contours are divided more finely (`sharpen.rs`). When few orders can be better than the known path, all of them are looked at (`close.rs`).
 
+mod bundle;
 mod close;
 mod company;
+mod cuts;
 mod looks;
 mod sharpen;
+#[cfg(test)]
+mod tests;
 
+use super::charges::Charges;
+use super::meet::Visit;
 use super::net::{homes, items};
 use super::order::Order;
 use super::orders::Orders;
 use super::pairs::{Pairs, Scan};
 use super::prices::Prices;
 use super::space::Space;
-use super::walks::{Ground, Pass, Visit};
+use super::walks::{Ground, Pass};
 use crate::problem::Problem;
+use bundle::Bundle;
 use company::nearest_company;
 use looks::{LOOKS_AT_ORDERS, Looks};
 
-/// Fewest and most steps of the charges in a round.
-const LOOKS: [usize; 2] = [8, 60];
-/// A round ends when this many steps gain less than this share of the gap: charges need not be exact for the next round.
-const WORTH: (usize, f64) = (4, 0.1);
-/// The last walks of a round that are kept: the next round learns from them.
-const KEPT: usize = 12;
-/// Steps without a better value after which steps get shorter.
-const PATIENCE: usize = 8;
-/// Factor by which steps then get shorter.
-const SHORTER: f64 = 0.6;
-/// Share of the last direction that is kept in the next one: it damps oscillation.
-const KEEP: f64 = 0.5;
+/// Most steps of the charges in a round: none needed more than a third of them.
+const MOST_LOOKS: usize = 600;
+/// A round ends when the next charges promise less than this share of the gap: states multiply with each round, so that charges
+/// that have settled are cheaper than memory.
+const WORTH: f64 = 0.01;
 /// Most numbers in the rows of a pass, and most states: about 100 MB.
 const MOST_NUMBERS: usize = 12_000_000;
 
@@ -54,19 +54,15 @@ pub(super) struct Strong {
     task: Task,
     passes: [Pass; 2],
     /// The charge of each item for a stop, now and at the best value.
-    pay: Vec<f64>,
-    best_pay: Vec<f64>,
-    way: Vec<f64>,
-    share: f64,
+    charges: Charges,
+    bundle: Bundle,
     best: f64,
-    round_best: f64,
-    stalled: usize,
     looks: usize,
-    /// The best value of the round some looks ago.
-    before: f64,
-    walks: Vec<Vec<Visit>>,
+    walks: Vec<(f64, Vec<Visit>)>,
     /// The company of each item in the round before.
     company_before: Vec<Vec<usize>>,
+    /// There are no cuts any more, see [`Strong::begin_orders`].
+    without_cuts: bool,
     /// Walks cannot remember more: there would be too many states.
     full: bool,
     /// The look at all orders, while there is one, and what is known of such looks.
@@ -100,17 +96,13 @@ impl Strong {
             wanted: Vec::new(),
             task: Task::Scan,
             passes: <[Pass; 2]>::default(),
-            pay: vec![0.0; count],
-            best_pay: vec![0.0; count],
-            way: vec![0.0; count],
-            share: 1.0,
+            charges: Charges::none(count),
+            bundle: Bundle::new(Charges::none(count), 0.0),
             best: 0.0,
-            round_best: f64::NEG_INFINITY,
-            stalled: 0,
             looks: 0,
-            before: f64::NEG_INFINITY,
             walks: Vec::new(),
             company_before: vec![Vec::new(); count],
+            without_cuts: false,
             full: false,
             orders: None,
             looked: Looks::default(),
@@ -157,7 +149,7 @@ impl Strong {
             }
             Task::Spaces => self.new_spaces(),
             Task::Row(side) => {
-                self.ground.advance(side, &mut self.passes[side], &self.pay);
+                self.ground.advance(side, &mut self.passes[side], &self.charges);
                 if self.passes[side].rows() >= self.ground.stops()[side] {
                     self.task =
                         if side + 1 < self.ground.spaces.len() { Task::Row(side + 1) } else { Task::Meet };
@@ -166,9 +158,9 @@ impl Strong {
             }
             Task::Meet => {
                 self.task = Task::Row(0);
-                self.look(upper);
+                let work = self.look(upper);
                 self.passes = <[Pass; 2]>::default();
-                1
+                work
             }
             Task::Orders if LOOKS_AT_ORDERS => self.look_at_orders(upper),
             Task::Orders | Task::Nothing => 0,
@@ -198,78 +190,38 @@ impl Strong {
         (ground.items.len() * (1 + ground.spaces.iter().map(|s| s.states.len()).sum::<usize>())) as u64
     }
 
-    /// What rounding can add to a value: each of at most 2 n sums of a walk is off by a part in 2^53 of at most n charges and
-    /// all legs.
-    pub(super) fn guard(&self, pay: &[f64], value: f64) -> f64 {
-        let largest = pay.iter().fold(0.0_f64, |m, p| m.max(p.abs()));
+    /// What rounding can add to a value: each of at most 2 n sums of a walk is off by a part in 2^53 of at most n charges or prices
+    /// and all legs.
+    pub(super) fn guard(&self, charges: &Charges, value: f64) -> f64 {
+        let all: f64 = charges.values().iter().map(|p| p.abs()).sum();
         let stops = self.ground.count() as f64;
-        2.0 * (stops + 2.0) * f64::EPSILON * (stops * largest + value.abs())
+        2.0 * (stops + 2.0) * f64::EPSILON * (stops * all + value.abs())
     }
 
-    /// Evaluates the walk that the passes found, and moves the charges.
-    fn look(&mut self, upper: f64) {
-        let Some((sum, walk)) = self.ground.meet(&self.passes, &self.pay) else {
+    /// Evaluates the walks that the passes found, and moves the charges. Returns the work done.
+    fn look(&mut self, upper: f64) -> u64 {
+        let found = self.ground.meet(&self.passes, &self.charges);
+        let Some(least) = found.first() else {
             // There is no walk: precedence leaves no tour, and nothing can be proven.
             self.task = Task::Nothing;
-            return;
+            return 1;
         };
-        let first = self.ground.first;
-        let charges: f64 = self.pay[first..].iter().sum();
-        let value = sum - charges;
-        let guard = self.guard(&self.pay, value);
-        let mut way = vec![-1.0; self.pay.len()];
-        for v in &walk {
-            way[v.item] += 1.0;
-        }
-        let tour = way[first..].iter().all(|&w| w == 0.0);
+        let value = least.value - self.charges.back();
+        let guard = self.guard(&self.charges, value);
         self.best = self.best.max(value - guard);
-        if value > self.round_best + 1e-6 * value.abs() {
-            self.round_best = value;
-            self.best_pay.clone_from(&self.pay);
-            self.stalled = 0;
-        } else {
-            self.stalled += 1;
-            if self.stalled >= PATIENCE {
-                self.stalled = 0;
-                self.share *= SHORTER;
-                self.pay.clone_from(&self.best_pay);
-                self.way.fill(0.0);
-            }
-        }
-        self.walks.push(walk);
-        if self.walks.len() > KEPT {
-            self.walks.remove(0);
-        }
         self.looks += 1;
+        let mut work = self.ground.work_of_meeting(found.len());
+        work += self.bundle.learn(&mut self.charges, value, &found, (self.ground.first, upper));
         if self.best >= upper * (1.0 - self.exact()) {
             self.task = Task::Nothing;
-        } else if tour || self.settled(upper) {
-            self.next_round(upper);
-        } else {
-            let mut norm = 0.0;
-            for (w, d) in self.way.iter_mut().zip(&way).skip(first) {
-                *w = *w * KEEP + d;
-                norm += *w * *w;
-            }
-            // Towards the known cost, or a little beyond the bound if the cost is not above it.
-            let target = upper.max(value + 1e-3 * value.abs());
-            if norm > 0.0 {
-                let by = self.share * (target - value) / norm;
-                for (p, w) in self.pay.iter_mut().zip(&self.way).skip(first) {
-                    *p += by * w;
-                }
+        } else if self.looks >= MOST_LOOKS || self.bundle.promised() < WORTH * (upper - self.bundle.value) {
+            if let Some(more) = self.separate(upper) {
+                work += more;
+            } else {
+                self.next_round(upper);
             }
         }
-    }
-
-    /// Whether a round gains no more.
-    fn settled(&mut self, upper: f64) -> bool {
-        if !self.looks.is_multiple_of(WORTH.0) {
-            return self.looks >= LOOKS[1];
-        }
-        let gained = self.round_best - self.before;
-        self.before = self.round_best;
-        self.looks >= LOOKS[0] && gained < WORTH.1 * (upper - self.round_best)
+        work
     }
 
     /// Looks at all orders if few may be left, and begins a round otherwise.
@@ -282,7 +234,9 @@ impl Strong {
     /// Begins a round with more memory where walks went in circles, and halved pieces where legs lost seconds.
     fn sharpen(&mut self, upper: f64) {
         self.company_before.clone_from(&self.ground.company);
+        self.walks = self.bundle.mixture();
         let fuller = !self.full && self.remember();
+        self.walks = self.bundle.new_mixture();
         let finer = self.refine(upper);
         if !(fuller || finer) || self.width() * self.ground.count() / 2 > MOST_NUMBERS {
             if !self.begin_orders(upper, true) {
@@ -290,13 +244,10 @@ impl Strong {
             }
             return;
         }
-        self.pay.clone_from(&self.best_pay);
-        self.way.fill(0.0);
-        self.round_best = f64::NEG_INFINITY;
-        (self.looks, self.stalled, self.before) = (0, 0, f64::NEG_INFINITY);
-        // The charges are nearly right already: a third of the first step is enough to follow.
-        self.share = 0.3;
-        self.walks.clear();
+        self.charges.clone_from(&self.bundle.best);
+        let ground = &self.ground;
+        self.bundle.begin_round(|walk| ground.is_walk(walk));
+        self.looks = 0;
         self.prepare(finer);
     }
 

@@ -1,7 +1,8 @@
 //! What a round prepares for the next: what walks must remember, and which pieces of contours are halved.
 
+use super::super::meet::Visit;
 use super::super::net::{Item, Piece};
-use super::super::walks::{Ground, Visit};
+use super::super::walks::Ground;
 use super::Strong;
 use crate::geometry::DVec2;
 use crate::order::sort_by;
@@ -10,18 +11,21 @@ use crate::order::sort_by;
 const MOST_COMPANY: usize = 16;
 /// Most stops of a cycle or precedence fault that is removed: every item on it must remember more.
 const LONGEST: usize = 12;
-/// Share of the gap that the legs of a walk may lose between knots without being looked at.
+/// Members that a round adds to companies, as a share of the number of items: each may double the states of an item, and after the first of them other
+/// walks are best.
+const ADDED: f64 = 0.15;
+/// Share of the gap that the walks may lose at all knots together without being looked at.
 const LITTLE: f64 = 0.1;
 /// All pieces are halved after a look at all orders when less than this share of them is left, so that they hardly grow more.
 const FEW: f64 = 0.75;
 
 impl Strong {
     /// Excludes the shortest faults of the walks, which are cycles and stops out of order: the items between the two stops
-    /// will remember both. A round adds no more members than there are items, because each may double the states of one.
+    /// will remember both. A round adds few members, because each may double the states of an item.
     pub(super) fn remember(&mut self) -> bool {
         let order = &self.ground.order;
         let mut faults: Vec<[usize; 3]> = Vec::new();
-        for (w, walk) in self.walks.iter().enumerate() {
+        for (w, (_, walk)) in self.walks.iter().enumerate() {
             for (i, v) in walk.iter().enumerate() {
                 let wrong = |other: &Visit| other.item == v.item || order.forbids(v.item, other.item, false);
                 let length = walk[i + 1..].iter().take(LONGEST).position(wrong);
@@ -31,7 +35,7 @@ impl Strong {
         sort_by(&mut faults, |c| c.map(|x| x as u64));
         let mut added = 0;
         for [length, w, i] in faults {
-            let (walk, last) = (&self.walks[w], i + 1 + length);
+            let (walk, last) = (&self.walks[w].1, i + 1 + length);
             for between in &walk[i + 1..last] {
                 for fault in [walk[i].item, walk[last].item] {
                     let company = &mut self.ground.company[between.item];
@@ -41,7 +45,7 @@ impl Strong {
                     }
                 }
             }
-            if added >= self.ground.count() {
+            if added as f64 >= ADDED * self.ground.count() as f64 {
                 break;
             }
         }
@@ -75,30 +79,28 @@ impl Strong {
         marks.iter().flatten().any(|&marked| marked)
     }
 
-    /// For each item which of its pieces are at a knot whose legs in the walks are priced too low.
+    /// For each item which of its pieces are at a knot whose legs in the mixture of walks are priced too low.
     fn losses(&self, upper: f64) -> Vec<Vec<bool>> {
         let ground = &self.ground;
-        // The loss of a leg that does not matter.
+        // The loss at a knot that does not matter.
         let little = LITTLE * (upper - self.best).max(0.0) / ground.count() as f64;
-        let mut marks: Vec<Vec<bool>> = ground.items.iter().map(|i| vec![false; i.pieces.len()]).collect();
+        let mut losses: Vec<Vec<f64>> = ground.items.iter().map(|i| vec![0.0; i.knots]).collect();
         let home = Visit { item: 0, knot: 0 };
-        for walk in &self.walks {
+        for (weight, walk) in &self.walks {
             let mut last = home;
             for &v in walk.iter().chain(ground.first.eq(&1).then_some(&home)) {
                 let left = if ground.items[last.item].paired { last.knot ^ 1 } else { last.knot };
-                let seconds = lost(ground, last.item, left, v);
-                let ends = [(last.item, left), (v.item, v.knot)];
-                for (item, knot) in
-                    ends.into_iter().filter(|e| seconds > little && ground.items[e.0].can_halve())
-                {
-                    for (mark, piece) in marks[item].iter_mut().zip(&ground.items[item].pieces) {
-                        *mark |= piece.knots.contains(&knot);
-                    }
-                }
+                let seconds = weight * lost(ground, last.item, left, v);
+                losses[last.item][left] += seconds;
+                losses[v.item][v.knot] += seconds;
                 last = v;
             }
         }
-        marks
+        let marks = |(item, losses): (&Item, &Vec<f64>)| {
+            let bad = |p: &Piece| item.can_halve() && p.knots.iter().any(|&k| losses[k] > little);
+            item.pieces.iter().map(bad).collect()
+        };
+        ground.items.iter().zip(&losses).map(marks).collect()
     }
 }
 
