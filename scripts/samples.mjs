@@ -74,14 +74,14 @@ const DECIMALS = 6;
 /** The variables of the header that it keeps: the others are what ezdxf writes for CAD programs. */
 const VARIABLES = ['$ACADVER', '$DWGCODEPAGE', '$HANDSEED', '$INSUNITS', '$MEASUREMENT'];
 
-/** Tables of which it keeps only what every drawing has, because nothing in it uses the rest. */
-const TABLES = ['LTYPE', 'STYLE', 'DIMSTYLE'];
-const ENTRIES = ['STANDARD', 'BYLAYER', 'BYBLOCK', 'CONTINUOUS'];
+/** The tables that it keeps, and the line types. */
+const TABLES = ['LTYPE', 'LAYER', 'BLOCK_RECORD'];
+const LINE_TYPES = ['BYLAYER', 'BYBLOCK', 'CONTINUOUS'];
 
 /** Handles and owners: programs give them anew where they are missing. */
 const NAMES = ['5', '330'];
 
-/** A drawing without most of its header, without classes, objects and handles, and without line types and styles that nothing uses. */
+/** A drawing with what its entities need: without classes, objects, handles, styles and most of the header. */
 function slim(text) {
   const lines = text.split('\n');
   const kept = [];
@@ -92,8 +92,9 @@ function slim(text) {
       if (value === 'SECTION') section = lines[k + 3];
       if (value === 'TABLE') table = lines[k + 3];
       const name = () => lines[lines.findIndex((line, j) => j > k && j % 2 === 0 && line === '2') + 1].toUpperCase();
-      const isEntry = section === 'TABLES' && !['TABLE', 'ENDTAB', 'SECTION', 'ENDSEC'].includes(value);
-      keeps = value !== 'CLASS' && (section !== 'OBJECTS' || ['SECTION', 'ENDSEC', 'EOF'].includes(value)) && !(isEntry && TABLES.includes(table) && !ENTRIES.includes(name()));
+      const isFrame = ['SECTION', 'ENDSEC', 'EOF'].includes(value);
+      const isNeeded = section !== 'TABLES' || (TABLES.includes(table) && (value !== 'LTYPE' || LINE_TYPES.includes(name())));
+      keeps = isFrame || (value !== 'CLASS' && section !== 'OBJECTS' && isNeeded);
     } else if (code === '9' && section === 'HEADER') {
       keeps = VARIABLES.includes(value);
     }

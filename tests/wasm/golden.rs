@@ -41,6 +41,7 @@ const PLANS: &[(&str, &str)] = &[
     ("tips-avoided", include_str!("../golden/tips-avoided.json")),
     ("corners-not-stopped-in", include_str!("../golden/corners-not-stopped-in.json")),
     ("heat-charged", include_str!("../golden/heat-charged.json")),
+    ("bridges", include_str!("../golden/bridges.json")),
 ];
 
 fn named<T: Copy>(list: &[(&str, T)], name: &str) -> T {

@@ -79,7 +79,8 @@ impl Bundle {
         if self.step == 0.0 {
             let norm: f64 =
                 found.first().map_or(1.0, |f| excess(&f.walk, charges, first).iter().map(|e| e * e).sum());
-            self.step = (upper - value).max(0.0) / norm.max(1.0);
+            let gap = if upper.is_finite() { upper - value } else { value.abs() };
+            self.step = gap.max(0.0) / norm.max(1.0);
         } else if self.value.is_finite() && !(0.0..=0.5).contains(&gained) {
             // The best length along this line, if the value is a quadratic function on it.
             let factor = if gained < 1.0 { 0.5 / (1.0 - gained) } else { LONGER };
@@ -126,18 +127,17 @@ impl Bundle {
         self.promised
     }
 
-    /// The walks of the mixture with their shares.
-    pub(super) fn mixture(&self) -> Vec<(f64, Vec<Visit>)> {
-        let chosen = self.known.iter().filter(|k| k.weight > 0.0);
-        chosen.map(|k| (k.weight, k.walk.clone())).collect()
-    }
-
-    /// The same, with the walk of the best value in place of those from earlier rounds.
-    pub(super) fn new_mixture(&self) -> Vec<(f64, Vec<Visit>)> {
-        let chosen = self.known.iter().filter(|k| k.weight > 0.0 && !k.is_old);
-        let mut mixture: Vec<_> = chosen.map(|k| (k.weight, k.walk.clone())).collect();
-        let rest = 1.0 - mixture.iter().map(|k| k.0).sum::<f64>();
-        mixture.push((rest.max(0.0), self.walk.clone()));
+    /// The walks of the mixture with their shares. `new`: with the walk of the best value in place of those from earlier rounds.
+    pub(super) fn mixture(&self, new: bool) -> Vec<(f64, Vec<Visit>)> {
+        let mut mixture = Vec::new();
+        let mut rest = 1.0;
+        for k in self.known.iter().filter(|k| k.weight > 0.0 && !(new && k.is_old)) {
+            mixture.push((k.weight, k.walk.clone()));
+            rest -= k.weight;
+        }
+        if new {
+            mixture.push((rest.max(0.0), self.walk.clone()));
+        }
         mixture
     }
 
@@ -181,11 +181,13 @@ impl Bundle {
         self.sift(&kept);
     }
 
+    /// Keeps some walks.
     fn keep(&mut self, stays: &dyn Fn(&Known) -> bool) {
         let kept: Vec<bool> = self.known.iter().map(stays).collect();
         self.sift(&kept);
     }
 
+    /// Keeps the walks marked.
     fn sift(&mut self, kept: &[bool]) {
         if kept.iter().all(|&k| k) {
             return;

@@ -39,7 +39,7 @@ impl Strong {
         let count = self.ground.items.len();
         let mut legs = vec![0.0; count * count];
         let home = self.ground.first - 1;
-        for (weight, walk) in self.bundle.mixture() {
+        for (weight, walk) in self.bundle.mixture(false) {
             let mut last = 0;
             for item in walk.iter().map(|v| v.item).chain([home]) {
                 legs[last * count + item] += weight;

@@ -234,9 +234,9 @@ impl Strong {
     /// Begins a round with more memory where walks went in circles, and halved pieces where legs lost seconds.
     fn sharpen(&mut self, upper: f64) {
         self.company_before.clone_from(&self.ground.company);
-        self.walks = self.bundle.mixture();
+        self.walks = self.bundle.mixture(false);
         let fuller = !self.full && self.remember();
-        self.walks = self.bundle.new_mixture();
+        self.walks = self.bundle.mixture(true);
         let finer = self.refine(upper);
         if !(fuller || finer) || self.width() * self.ground.count() / 2 > MOST_NUMBERS {
             if !self.begin_orders(upper, true) {
