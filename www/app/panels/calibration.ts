@@ -15,7 +15,6 @@ interface Timed extends MeasuredPlan {
   planned: number;
 }
 
-/** What is shown in the section of calibration. */
 export function calibration(session: Session, notify: (sentence: string) => void): HTMLElement {
   let timed: readonly Timed[] = [];
   let fitted: Calibration | null = null;
@@ -66,8 +65,10 @@ export function calibration(session: Session, notify: (sentence: string) => void
   };
   const actions = h('div', { class: 'row' }, fit, clear);
   const result = h('div', { class: 'stack' }, table, take);
+  const root = h('details', { class: 'more' }, h('summary', {}, words.calibration.title),
+    h('div', { class: 'stack' }, h('p', { class: 'soft' }, words.calibration.hint), form, list, result, actions));
   show([], null);
-  return h('div', { class: 'stack' }, h('p', { class: 'soft' }, words.calibration.hint), form, list, result, actions);
+  return root;
 }
 
 /** The pierce time of a material is that of its setting, so the fitted one belongs there. */

@@ -3,6 +3,7 @@
 import { button, h } from '../core/dom.js';
 import type { MachineProfile } from 'kerfway';
 import type { Session } from '../session/session.js';
+import { calibration } from './calibration.js';
 import { dialectEditor } from './dialect.js';
 import { jointsPanel } from './joints.js';
 import { leadsPanel } from './leads.js';
@@ -11,7 +12,6 @@ import { skeletonPanel } from './skeleton.js';
 import { materials } from './materials.js';
 import { ownMachines } from './own-machines.js';
 import { check, field, numberInput, section, select } from './section.js';
-import { messageOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
 
 interface Quantity {
@@ -95,14 +95,7 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     if (chosen) session.setMachine(structuredClone(chosen));
   });
   const library = materials(session);
-  const fitting = h('details', { class: 'more' }, h('summary', {}, words.calibration.title));
-  // Few machines are calibrated, so what that takes is loaded when the section is opened.
-  const load = () => void import('./calibration.js').then((module) => fitting.append(module.calibration(session, notify))).catch((error: unknown) => {
-    notify(messageOf(error));
-    wait();
-  });
-  const wait = () => fitting.addEventListener('toggle', load, { once: true });
-  wait();
+  const fitting = calibration(session, notify);
   choice.root.setAttribute('aria-label', words.machine.preset);
   choice.root.classList.add('wide');
   const travel = select<MachineProfile['travel']>((value) => edit((m) => (m.travel = value)));
