@@ -169,7 +169,9 @@ function offline() {
     .replace('__VERSION__', digest([...files, ...later]).slice(0, 16))
     .replace('__FILES__', JSON.stringify(['./', ...names]))
     .replace('__LATER__', JSON.stringify(namesOf(later)));
-  writeFileSync(join(APP, 'offline.js'), text);
+  const to = join(APP, 'offline.js');
+  writeFileSync(to, text);
+  run('esbuild', [to, '--minify', '--allow-overwrite', `--outfile=${to}`, '--log-level=warning']);
 }
 
 /** Writes each file of the page compressed beside it, once at build time, as well as Brotli can. */

@@ -99,7 +99,7 @@ function slim(text) {
       keeps = VARIABLES.includes(value);
     }
     const isName = ['ENTITIES', 'BLOCKS'].includes(section) && NAMES.includes(code);
-    const isFlat = section === 'ENTITIES' && ['30', '31'].includes(code) && Number(value) === 0;
+    const isFlat = ['ENTITIES', 'BLOCKS'].includes(section) && ['30', '31'].includes(code) && Number(value) === 0;
     if (keeps && !isName && !isFlat) kept.push(code, value);
   }
   return `${kept.join('\n')}\n`;
