@@ -81,7 +81,7 @@ const LINE_TYPES = ['BYLAYER', 'BYBLOCK', 'CONTINUOUS'];
 /** Handles and owners: programs give them anew where they are missing. */
 const NAMES = ['5', '330'];
 
-/** A drawing with what its entities need: without classes, objects, handles, styles and most of the header. */
+/** A drawing with what its entities need: without classes, objects, handles, styles and most of the header. CAD programs that insist on handles refuse it. */
 function slim(text) {
   const lines = text.split('\n');
   const kept = [];

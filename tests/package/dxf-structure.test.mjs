@@ -15,6 +15,8 @@ const FOLDER = join(ROOT, 'www', 'app', 'public', 'samples');
 const files = readdirSync(FOLDER).filter((file) => file.endsWith('.dxf'));
 /** Drawings of other people, served unchanged. This one is in R12, which has no markers. */
 const NOT_OURS = ['lumberjack-polaris.dxf'];
+/** The sample of a first visit, where every byte counts, has neither handles nor the tables that nothing in it uses: programs give them anew. */
+const LEFT_OUT = { 'sheet_500.dxf': / has no handle$|^(there is no table|table) (VPORT|STYLE|VIEW|UCS|APPID|DIMSTYLE)\b/ };
 const audit = JSON.parse(readFileSync(fixture('dxf-audit.json'), 'utf8'));
 
 describe('the structure of a DXF', () => {
@@ -33,7 +35,10 @@ describe('the structure of a DXF', () => {
   it('is valid in every sample of our own', () => {
     const ours = files.filter((file) => !NOT_OURS.includes(file));
     assert.ok(ours.length >= 7);
-    for (const file of ours) assert.deepEqual(faults(readFileSync(join(FOLDER, file), 'utf8')), [], file);
+    for (const file of ours) {
+      const found = faults(readFileSync(join(FOLDER, file), 'utf8'));
+      assert.deepEqual(found.filter((fault) => !LEFT_OUT[file]?.test(fault)), [], file);
+    }
   });
 
   it('is valid in the DXF output of a plan', async () => {

@@ -14,7 +14,7 @@ use crate::geometry::{Affine, DVec2, Union};
 use crate::order::{real, sort_by};
 
 /// Most choices that are kept after each part of those that can meet. Wider finds more, and takes longer
-/// (`cargo test --features png --test it shift_choice`).
+/// (`cargo test --features png --test it kerf::shift_choice`).
 const WIDEST: usize = 128;
 /// Bounds the work for many parts that can meet: their number times the choices kept.
 const WORK: usize = 2_000;
