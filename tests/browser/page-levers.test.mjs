@@ -124,6 +124,26 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
   });
 }
 
+for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
+  test(`parts are connected by bridges, which are drawn, ${size}, ${theme}`, async (t) => {
+    const nest = dxf(...[[0, 0], [28, 0], [0, 28], [28, 28]].map(([x, y]) => square(10 + x, 10 + y, 20)));
+    const page = await openPlanned(t, 'fibre-6kw-thick', 'nest.dxf', nest, { size: SIZES[size], theme, touch: size === 'phone' });
+    const machine = await machineSection(page, SIZES[size]);
+    const bridges = machine.getByLabel('Connect parts by bridges');
+    await replanned(page, () => bridges.check());
+    await replanned(page, () => machine.getByLabel('Longest bridge').fill('25'));
+    await bridges.scrollIntoViewIfNeeded();
+    await shot(page, `bridges-${size}-${theme}`);
+    if (size === 'phone') return;
+    const connected = await plan(page);
+    assert.deepEqual(connected.machine.levers, { bridges: { width: 2, reach: 25, clearance: 1 } });
+    assert.deepEqual([connected.summary.bridges, connected.summary.pierces], [3, 1]);
+    assert.ok(await machine.getByLabel('Cut rows and grids on the run').isDisabled(), 'connected parts are cut in one go');
+    await replanned(page, () => bridges.uncheck());
+    assert.equal((await plan(page)).summary.pierces, 4);
+  });
+}
+
 const WEDGES = dxf(...[20, 70, 120].map((x) => polygon([[x, 20], [x + 30, 20], [x + 15, 46]])));
 
 for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {

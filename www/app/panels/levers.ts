@@ -87,7 +87,7 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
   const span = numberInput({ unit: 'mm', least: 0.1, most: MOST.reach }, (value) => bridged({ reach: value }));
   const apart = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => bridged({ clearance: value }));
   const most = numberInput({ unit: '', least: 2, most: 1e6, empty: 0, whole: true }, (value) => bridged({ most: value || null }));
-  const strips = h('div', { class: 'stack' }, field(w.bridgeWidth, width.input, 'mm'), field(w.chainReach, span.input, 'mm'), field(w.chainClearance, apart.input, 'mm'), field(w.bridgeMost, most.input, ''), h('p', { class: 'soft' }, w.aboutBridges));
+  const strips = h('div', { class: 'stack' }, field(w.bridgeWidth, width.input, 'mm'), field(w.bridgeReach, span.input, 'mm'), field(w.chainClearance, apart.input, 'mm'), field(w.bridgeMost, most.input, ''), h('p', { class: 'soft' }, w.aboutBridges));
   const shared = check(w.shared, (on) => set((l) => {
     if (on) l.common_cuts = {};
     else delete l.common_cuts;
