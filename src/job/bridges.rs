@@ -4,7 +4,7 @@ use super::JobError;
 use crate::fields::{Fault, FieldError};
 use crate::finding::{Code, Finding, Severity};
 use crate::machine::{PLANS_ALL_LEVERS, Profile};
-use crate::sheet::Sheet;
+use crate::sheet::{Sheet, plural};
 
 /// Refuses what cannot be asked for together with bridges.
 pub(super) fn check(sheet: &Sheet, machine: &Profile) -> Result<(), JobError> {
@@ -38,7 +38,7 @@ pub(super) fn bridged(sheet: &Sheet, machine: &Profile, findings: &mut Vec<Findi
     let message = if all.is_empty() {
         "No bridge saves time: no two parts face each other within reach with room for one, or piercing takes less than its sides.".to_owned()
     } else {
-        let (bridges, pieces) = (plural(strips, "bridge"), plural(all.len(), "piece"));
+        let (bridges, pieces) = (plural(strips, "bridge", "bridges"), plural(all.len(), "piece", "pieces"));
         format!("{parts} parts are connected by {bridges} to {pieces}, which a person separates.")
     };
     let finding = Finding::new(Code::Bridges, Severity::Info, message);
@@ -48,8 +48,4 @@ pub(super) fn bridged(sheet: &Sheet, machine: &Profile, findings: &mut Vec<Findi
         None => finding,
     });
     bridged
-}
-
-fn plural(count: usize, one: &str) -> String {
-    if count == 1 { format!("1 {one}") } else { format!("{count} {one}s") }
 }

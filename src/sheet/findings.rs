@@ -69,6 +69,6 @@ pub(super) fn count(n: usize) -> u32 {
 }
 
 /// A number with its noun: "1 gap", "3 gaps".
-pub(super) fn plural(n: usize, one: &str, many: &str) -> String {
+pub(crate) fn plural(n: usize, one: &str, many: &str) -> String {
     format!("{n} {}", if n == 1 { one } else { many })
 }

@@ -51,6 +51,7 @@ mod source;
 mod together;
 
 pub use build::build;
+pub(crate) use findings::plural;
 pub use groups::{GroupElement, PierceGroup};
 pub(crate) use kerf::{Shift, compensated, shifts};
 pub use model::{

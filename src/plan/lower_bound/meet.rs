@@ -121,11 +121,12 @@ impl Ground {
             for step in space.steps[start..].iter().take_while(|s| s.to == state) {
                 let from = &self.items[step.from];
                 let (table, rows_left) = self.legs(step.pair);
+                let pay = charges.of_leg(step.from, item);
                 for &source in &space.sources[step.sources.clone()] {
                     for k in 0..from.knots {
                         let left = if from.paired { k ^ 1 } else { k };
                         let at = if rows_left { left * to.knots + knot } else { knot * from.knots + left };
-                        let value = row[space.at[source] + k] + table[at] + charges.of_leg(step.from, item);
+                        let value = row[space.at[source] + k] + table[at] + pay;
                         if value < best.0 {
                             best = (value, source, k);
                         }
@@ -133,8 +134,8 @@ impl Ground {
                 }
             }
             if space.of[item][0] == state {
-                for &from in &space.far[item] {
-                    let gap = self.gap(from, item) + charges.of_leg(from, item);
+                for &(from, gap) in &space.far[item] {
+                    let gap = gap + charges.of_leg(from, item);
                     if least[from] + gap >= best.0 {
                         continue;
                     }

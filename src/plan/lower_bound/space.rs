@@ -44,20 +44,21 @@ pub(super) struct Space {
     pub(super) sources: Vec<usize>,
     /// The states of each item; the first of them remembers nothing.
     pub(super) of: Vec<Vec<usize>>,
-    /// For each item those from where a walk may come without a table. Such a walk forgets everything, so that these legs, which are most of
-    /// all but seldom good, need no sums for each state and knot.
-    pub(super) far: Vec<Vec<usize>>,
+    /// For each item those from where a walk may come without a table, with the seconds between their boxes. Such a walk forgets everything, so
+    /// that these legs, which are most of all but seldom good, need no sums for each state and knot.
+    pub(super) far: Vec<Vec<(usize, f64)>>,
 }
 
 impl Space {
     /// All states a walk can come to, for walks along the order or against it; `None` when there are too many.
     /// `company`: which items each remembers; contours are the items from `first` on; `directed`: prices differ by
-    /// direction.
+    /// direction; `gap`: the seconds between the boxes of two items.
     pub(super) fn new(
         (company, first): (&[Vec<usize>], usize),
         order: &Order,
         pairs: &Pairs,
         [directed, backwards]: [bool; 2],
+        gap: impl Fn(usize, usize) -> f64,
     ) -> Option<Self> {
         let count = company.len();
         let mut space = Self { of: vec![Vec::new(); count], far: vec![Vec::new(); first], ..Self::default() };
@@ -69,7 +70,7 @@ impl Space {
             let (with, without): (Vec<usize>, Vec<usize>) =
                 (first..count).filter(allowed).partition(|&from| table[from].is_some());
             with.into_iter().for_each(|from| near[from].push(to));
-            space.far.push(without);
+            space.far.push(without.into_iter().map(|from| (from, gap(from, to))).collect());
         }
         for item in first..count {
             space.state(item, 0);

@@ -59,7 +59,8 @@ impl Ground {
     /// The states of walks along the order or against it, as the company now is; `None` when there are too many.
     pub(super) fn space(&self, backwards: bool) -> Option<Space> {
         let directed = self.prices.directed();
-        Space::new((&self.company, self.first), &self.order, &self.pairs, [directed, backwards])
+        let gap = |from, to| self.gap(from, to);
+        Space::new((&self.company, self.first), &self.order, &self.pairs, [directed, backwards], gap)
     }
 
     /// The number of stops that the passes from both ends make.
@@ -133,8 +134,7 @@ impl Ground {
         }
         let least = &pass.least[pass.least.len() - 1];
         for (item, far) in space.far.iter().enumerate().filter(|f| open(f.0) && !f.1.is_empty()) {
-            let value =
-                far.iter().map(|&from| least[from] + self.gap(from, item) + charges.of_leg(from, item));
+            let value = far.iter().map(|&(from, gap)| least[from] + gap + charges.of_leg(from, item));
             let value = value.fold(f64::INFINITY, |m, v| if v < m { v } else { m });
             let at = space.at[space.of[item][0]];
             relax_all(&mut row[at..at + self.items[item].knots], value);

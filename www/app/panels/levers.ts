@@ -39,10 +39,14 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
     change(m.levers, m);
     if (Object.keys(m.levers).length === 0) delete m.levers;
   });
-  const moving = check(w.moving, (on) => set((l) => {
-    if (on) l.moving_pierce = { overcut: OVERCUT };
-    else delete l.moving_pierce;
+  /** The switch of a lever, which starts with these values. */
+  const switched = <K extends keyof Levers>(label: string, name: K, start: NonNullable<Levers[K]>) => check(label, (on) => set((l) => {
+    if (on) l[name] = start;
+    else delete l[name];
   }));
+  /** Changes some values of a lever, and switches it on. */
+  const changed = <K extends keyof Levers>(name: K, start: NonNullable<Levers[K]>) => (change: Partial<NonNullable<Levers[K]>>) => set((l) => (l[name] = { ...start, ...l[name], ...change }));
+  const moving = switched(w.moving, 'moving_pierce', { overcut: OVERCUT });
   const overcut = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => set((l) => (l.moving_pierce = { overcut: value })));
   const more = h('div', { class: 'stack' }, field(w.overcut, overcut.input, 'mm'), h('p', { class: 'soft' }, w.about));
 
@@ -53,7 +57,7 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
       if (l.tips) l.tips = { ...l.tips, risky_moves: 'ignore' };
     }
   }));
-  const lifted = (change: Partial<NonNullable<Levers['lift']>>) => set((l) => (l.lift = { ...LIFT, ...l.lift, ...change }));
+  const lifted = changed('lift', LIFT);
   const height = numberInput({ unit: 'mm', least: 0.1, most: MOST.height }, (value) => lifted({ height: value }));
   const speed = numberInput({ unit: 'mm/s', least: 0.01 }, (value) => edit((m) => (m.z_speed = value)));
   const down = numberInput({ unit: 'mm', least: 0, most: MOST.down }, (value) => lifted({ stay_down: value }));
@@ -61,38 +65,26 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
   const about = h('div', { class: 'stack' },
     field(w.height, height.input, 'mm'), field(words.machine.zSpeed, speed.input, 'mm/s'), field(w.stayDown, down.input, 'mm'), atRest.root, h('p', { class: 'soft' }, w.aboutLift));
 
-  const fly = check(w.fly, (on) => set((l) => {
-    if (on) l.fly = FLY;
-    else delete l.fly;
-  }));
-  const flown = (change: Partial<NonNullable<Levers['fly']>>) => set((l) => (l.fly = { ...FLY, ...l.fly, ...change }));
+  const fly = switched(w.fly, 'fly', FLY);
+  const flown = changed('fly', FLY);
   const reach = numberInput({ unit: 'mm', least: 0.1, most: MOST.reach }, (value) => flown({ reach: value }));
   const again = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => flown({ overcut: value }));
   const run = h('div', { class: 'stack' }, field(w.reach, reach.input, 'mm'), field(w.flyOvercut, again.input, 'mm'), h('p', { class: 'soft' }, w.aboutFly));
-  const chains = check(w.chains, (on) => set((l) => {
-    if (on) l.chains = CHAINS;
-    else delete l.chains;
-  }));
-  const chained = (change: Partial<NonNullable<Levers['chains']>>) => set((l) => (l.chains = { ...CHAINS, ...l.chains, ...change }));
+  const chains = switched(w.chains, 'chains', CHAINS);
+  const chained = changed('chains', CHAINS);
   const chainReach = numberInput({ unit: 'mm', least: 0.1, most: MOST.reach }, (value) => chained({ reach: value }));
   const clearance = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => chained({ clearance: value }));
   const edges = check(w.edgeStarts, (on) => chained({ edge_starts: on }));
   const joined = h('div', { class: 'stack' }, field(w.chainReach, chainReach.input, 'mm'), field(w.chainClearance, clearance.input, 'mm'), edges.root, h('p', { class: 'soft' }, w.aboutChains));
-  const bridges = check(w.bridges, (on) => set((l) => {
-    if (on) l.bridges = BRIDGES;
-    else delete l.bridges;
-  }));
-  const bridged = (change: Partial<NonNullable<Levers['bridges']>>) => set((l) => (l.bridges = { ...BRIDGES, ...l.bridges, ...change }));
+  const bridges = switched(w.bridges, 'bridges', BRIDGES);
+  const bridged = changed('bridges', BRIDGES);
   const width = numberInput({ unit: 'mm', least: 0.1, most: MOST.reach }, (value) => bridged({ width: value }));
   const span = numberInput({ unit: 'mm', least: 0.1, most: MOST.reach }, (value) => bridged({ reach: value }));
   const apart = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => bridged({ clearance: value }));
   const most = numberInput({ unit: '', least: 2, most: 1e6, empty: 0, whole: true }, (value) => bridged({ most: value || null }));
   const strips = h('div', { class: 'stack' }, field(w.bridgeWidth, width.input, 'mm'), field(w.bridgeReach, span.input, 'mm'), field(w.chainClearance, apart.input, 'mm'), field(w.bridgeMost, most.input, ''), h('p', { class: 'soft' }, w.aboutBridges));
-  const shared = check(w.shared, (on) => set((l) => {
-    if (on) l.common_cuts = {};
-    else delete l.common_cuts;
-  }));
-  const sharing = (change: Partial<NonNullable<Levers['common_cuts']>>) => set((l) => (l.common_cuts = { ...l.common_cuts, ...change }));
+  const shared = switched(w.shared, 'common_cuts', {});
+  const sharing = changed('common_cuts', {});
   const shift = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => sharing({ shift: value }));
   const shiftParts = check(w.shiftParts, (on) => sharing({ shift_parts: on }));
   const aboutShared = h('div', { class: 'stack' }, field(w.shift, shift.input, 'mm'), shiftParts.root, h('p', { class: 'soft' }, w.aboutShared));

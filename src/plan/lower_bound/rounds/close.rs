@@ -28,10 +28,9 @@ impl Strong {
         if !wanted || !upper.is_finite() || gap > NEAR * upper || rows > MOST_NUMBERS {
             return false;
         }
-        if HAS_CUTS && !self.charges.cuts().is_empty() {
+        if HAS_CUTS && !self.bundle.best.cuts().is_empty() {
             // With cuts, orders may seem to take less than they do. The walks come near without them, too.
             self.without_cuts = true;
-            self.charges.drop_cuts();
             self.bundle.drop_cuts();
             return false;
         }

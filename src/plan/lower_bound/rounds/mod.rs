@@ -53,7 +53,7 @@ pub(super) struct Strong {
     wanted: Vec<[usize; 2]>,
     task: Task,
     passes: [Pass; 2],
-    /// The charge of each item for a stop, now and at the best value.
+    /// The charges that walks are looked for with now.
     charges: Charges,
     bundle: Bundle,
     best: f64,
