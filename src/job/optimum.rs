@@ -1,12 +1,12 @@
 //! Proof that a path is optimal, for jobs of few contours. The lower bound needs a good path to compare with, so a search of its own
-//! runs beside it.
+//! runs beside it. For more contours it only proves a bound, which is the stronger one up to some hundred contours.
 
-use crate::plan::LowerBound;
+use crate::plan::{LowerBound, WalkCertificate};
 use crate::problem::Problem;
 use crate::solve::{self, Running};
 
-/// Most contours: with more, all orders that may still be better are never looked at.
-const MOST: usize = 128;
+/// Most contours: with more, the bound is not by walks. All orders are looked at up to 128.
+const MOST: usize = 220;
 /// Work on the bound between two pieces of the search, and the moves of such a piece: about a third of the time, until the search has
 /// made [`ENOUGH`] moves.
 const TURN: u32 = 1_000_000;
@@ -49,6 +49,11 @@ impl Optimum {
             self.more = self.bound.improve(TURN, upper);
         }
         self.more
+    }
+
+    /// The certificate of the bound by walks, if it proves more than `above`, s. It does not show that a path is optimal.
+    pub(super) fn certificate(&self, above: f64) -> Option<WalkCertificate> {
+        self.bound.certificate(self.running.borrow_owner(), above)
     }
 
     /// No path has less travel, s.

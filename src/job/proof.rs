@@ -2,19 +2,24 @@
 //!
 //! A certificate file names the drawing by its hash and holds everything that decides what a plan takes: how the drawing is
 //! read, the machine, the setting and the place on the bed. From these the problem is made again, and the numbers of the
-//! [`Certificate`] or of the [`StopCertificate`] are added up again in whole numbers. How they were found does not matter, and no search is needed.
+//! [`Certificate`], of the [`WalkCertificate`] or of the [`StopCertificate`] are added up again in whole numbers. How they were found does not matter, and no search is needed.
 
 use super::optimum::Optimum;
 use super::{Job, JobError, LoadOptions, MachineChoice, Place, PlanOptions};
 use crate::drawing::TextDecoder;
 use crate::machine::{Profile, Start};
 use crate::output::{json_text, sha256};
-use crate::plan::{Certificate, CertificateFault, ShareBound, StopBound, StopCertificate, with_paid};
+use crate::plan::{
+    Certificate, CertificateFault, ShareBound, StopBound, StopCertificate, WalkCertificate, with_paid,
+};
 use crate::problem::{Item, Problem};
 use serde::{Deserialize, Serialize};
 
 /// The name and version of the format.
 pub const CERTIFICATE_SCHEMA: &str = "kerfway.certificate/1";
+
+/// Numbers of the bound by walks for one of that by shares, which takes seven times as long: each gets half of the time.
+const WALKS_PER_SHARE: u32 = 7;
 
 /// A certificate file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -39,11 +44,13 @@ struct File {
     sha256: String,
 }
 
-/// The two kinds of certificates, which have different fields.
+/// The kinds of certificates, which have different fields.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 enum Travel {
     Shares(Certificate),
+    /// For up to 220 contours, where it proves more.
+    Walks(WalkCertificate),
     /// Where contours may be left unfinished or are cut as one.
     Stops(StopCertificate),
 }
@@ -53,6 +60,7 @@ impl Travel {
     fn stated(&self) -> (i64, i32) {
         match self {
             Self::Shares(certificate) => (certificate.bound, certificate.unit),
+            Self::Walks(certificate) => (certificate.bound, certificate.unit),
             Self::Stops(certificate) => (certificate.bound, certificate.unit),
         }
     }
@@ -60,6 +68,7 @@ impl Travel {
     fn adds_up_to(&self, problem: &Problem) -> Result<i128, CertificateFault> {
         match self {
             Self::Shares(certificate) => certificate.adds_up_to(problem),
+            Self::Walks(certificate) => certificate.adds_up_to(problem),
             Self::Stops(certificate) => certificate.adds_up_to(problem),
         }
     }
@@ -119,6 +128,8 @@ pub struct Proof {
     paid: f64,
     bound: Option<Bound>,
     optimum: Option<Optimum>,
+    /// Work that is granted and not yet passed on to the shares beside walks.
+    left: u32,
 }
 
 impl Proof {
@@ -152,7 +163,7 @@ impl Proof {
         let paid = problem.paid();
         let of_shares = matches!(bound, Some(Bound::Shares(_)));
         let optimum = if of_shares { Optimum::new(&problem) } else { None };
-        Ok(Self { file, problem, paid, bound, optimum })
+        Ok(Self { file, problem, paid, bound, optimum, left: 0 })
     }
 
     /// Why nothing can be proven in this way; `None` if it can.
@@ -162,7 +173,12 @@ impl Proof {
 
     /// Looks at about `work` more numbers. Returns whether more work may help.
     pub fn improve(&mut self, work: u32) -> bool {
-        let of_bound = self.bound.as_mut().is_some_and(|bound| bound.improve(work));
+        let mut of_shares = work;
+        if self.optimum.is_some() {
+            let granted = self.left.saturating_add(work);
+            (of_shares, self.left) = (granted / WALKS_PER_SHARE, granted % WALKS_PER_SHARE);
+        }
+        let of_bound = self.bound.as_mut().is_some_and(|bound| bound.improve(of_shares));
         let of_optimum = self.optimum.as_mut().is_some_and(|optimum| optimum.improve(work));
         of_bound || of_optimum
     }
@@ -173,9 +189,11 @@ impl Proof {
         self.bound.as_ref().map_or(0.0, |bound| self.paid + bound.value().max(optimum))
     }
 
-    /// The certificate file of the bound; `None` if nothing is proven yet.
+    /// The certificate file of the bound by shares, by walks or by stops that proves most; `None` if nothing is proven yet.
     pub fn certificate(&self) -> Option<String> {
-        let travel = self.bound.as_ref()?.travel()?;
+        let above = self.bound.as_ref()?.value();
+        let walks = self.optimum.as_ref().and_then(|optimum| optimum.certificate(above));
+        let travel = walks.map(Travel::Walks).or_else(|| self.bound.as_ref()?.travel())?;
         let seconds = travel.whole_job(travel.stated().0.into(), &self.problem);
         let file = File { seconds, travel, ..self.file.clone() };
         Some(json_text(&File { sha256: file.seal(), ..file }))

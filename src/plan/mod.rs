@@ -18,6 +18,6 @@ pub use lower_bound::LowerBound;
 #[cfg(feature = "research")]
 pub use lower_bound::{
     Certificate, CertificateFault, CutPart, Part, PricedCut, PricedParts, ShareBound, SharedLegs, StopBound,
-    StopCertificate, with_paid,
+    StopCertificate, WalkCertificate, with_paid,
 };
 pub use model::{Leads, Move, Plan, Summary, Turn, Way};

@@ -183,11 +183,83 @@ fn a_bound_above_what_the_numbers_prove_is_refused() {
     assert_eq!(verified(&below, &drawing, None), Ok(proven - 1.0));
 }
 
+/// A certificate that was written before there were any by walks, sealed and all.
+fn by_shares() -> String {
+    include_str!("../fixtures/certificates/shares.json").trim_end().to_owned()
+}
+
+/// Certificates by shares are still written for many contours, and old ones are still good.
+#[test]
+fn a_certificate_by_shares_is_verified() {
+    assert_eq!(verified(&by_shares(), &grid(4, 3), None), Ok(822.265_142_492_95));
+    let drawing = grid(16, 14);
+    let (text, seconds) = written(&drawing, &on("length"), 3_000_000);
+    assert!(text.contains("\"shares\":") && fits_the_schema(&text));
+    let proven = verified(&text, &drawing, None).unwrap();
+    assert!(proven <= seconds && proven >= seconds * (1.0 - 1e-9), "{proven} of {seconds}");
+}
+
+fn fits_the_schema(text: &str) -> bool {
+    let schema = serde_json::from_str(include_str!("../../www/sdk/certificate.schema.json")).unwrap();
+    let fault = crate::testkit::schema::fault(&schema, &schema, &serde_json::from_str(text).unwrap(), "");
+    assert_eq!(fault, None);
+    true
+}
+
+/// Up to 220 contours, walks prove more than shares. Their certificate is in the file then.
+#[test]
+fn a_certificate_by_walks_is_verified() {
+    let drawing = grid(4, 3);
+    for (machine, work) in [("length", 20_000_000), ("co2-100w", 5_000_000)] {
+        let (text, seconds) = written(&drawing, &on(machine), work);
+        assert!(text.contains("\"company\":") && fits_the_schema(&text));
+        let proven = verified(&text, &drawing, None).unwrap();
+        assert!(proven <= seconds && proven > 0.99 * seconds, "{proven} of {seconds}");
+        let value: serde_json::Value = serde_json::from_str(&text).unwrap();
+        let charges = value["travel"]["charges"].as_array().unwrap().len();
+        let mut refused = 0;
+        for k in 1..charges {
+            let index = k.to_string();
+            for by in [-100_000_000_000_i64, 100_000_000_000] {
+                let changed =
+                    with(&text, &["travel", "charges", &index], |v| (v.as_i64().unwrap() + by).into());
+                match verified(&changed, &drawing, None) {
+                    Ok(seconds) => assert_eq!(seconds.to_bits(), proven.to_bits()),
+                    Err(why) => {
+                        assert!(why.contains("prove only"), "{why}");
+                        refused += 1;
+                    }
+                }
+            }
+        }
+        assert!(refused > charges, "{refused} of {charges}");
+        let forgets = with(&text, &["travel", "company"], |v| {
+            v.as_array().unwrap().iter().map(|_| serde_json::json!([])).collect()
+        });
+        assert!(verified(&forgets, &drawing, None).unwrap_err().contains("prove only"));
+        let above = with(&text, &["travel", "bound"], |v| (v.as_i64().unwrap() + 1).into());
+        assert!(verified(&above, &drawing, None).unwrap_err().contains("prove only"));
+        let far = with(&text, &["travel", "knots", "1", "0"], |v| (v.as_f64().unwrap() - 0.5).into());
+        assert_eq!(
+            verified(&far, &drawing, None).unwrap_err(),
+            "The knots of the certificate do not fit the problem."
+        );
+        let home = with(&text, &["travel", "charges", "0"], |v| (v.as_i64().unwrap() + 1).into());
+        assert_eq!(
+            verified(&home, &drawing, None).unwrap_err(),
+            "The charges of the certificate do not fit the problem."
+        );
+        let unit = with(&text, &["travel", "unit"], |v| (v.as_i64().unwrap() + 1).into());
+        assert!(verified(&unit, &drawing, None).unwrap_err().starts_with("The units of the certificate"));
+        assert!(verified(&text, &grid(4, 4), None).is_err());
+    }
+}
+
 /// Whoever changes a number and seals the file again gets no more than the numbers prove.
 #[test]
 fn a_changed_number_proves_no_more() {
     let drawing = grid(4, 3);
-    let (text, _) = written(&drawing, &on("length"), 20_000_000);
+    let text = by_shares();
     let proven = verified(&text, &drawing, None).unwrap();
     let value: serde_json::Value = serde_json::from_str(&text).unwrap();
     let legs = value["travel"]["legs"].as_array().unwrap().len();

@@ -26,20 +26,20 @@ pub(crate) fn bound(problem: &Problem, upper: f64, work: u64, slice: u32) -> f64
 }
 
 /// A problem whose contours are entered at their nodes only.
-fn at_nodes(mut problem: Problem) -> Problem {
+pub(crate) fn at_nodes(mut problem: Problem) -> Problem {
     for item in &mut problem.items {
         (item.track, item.run) = (None, None);
     }
     problem
 }
 
-fn machines(k: u64) -> Profile {
+pub(crate) fn machines(k: u64) -> Profile {
     let names = ["length", "length-chebyshev", "co2-100w", "fibre-3kw-thin", "diode-hobby"];
     machine(names[usize::try_from(k).unwrap() % names.len()])
 }
 
 /// Scattered items of a few nodes each, with open ones, ranks, and items before others.
-fn scattered(dice: &mut Dice, k: u64) -> Problem {
+pub(crate) fn scattered(dice: &mut Dice, k: u64) -> Problem {
     let mut machine = machines(k);
     machine.return_home = k.is_multiple_of(2);
     let (mut items, mut nodes) = (Vec::new(), Vec::<Node>::new());
@@ -149,7 +149,7 @@ fn entries_anywhere() {
 }
 
 /// The same problem with this number of nodes on every track.
-fn sampled(problem: &Problem, count: u32) -> Problem {
+pub(crate) fn sampled(problem: &Problem, count: u32) -> Problem {
     let mut out = problem.clone();
     out.nodes.clear();
     for (id, item) in (0..).zip(&mut out.items) {

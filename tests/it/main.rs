@@ -80,4 +80,5 @@ mod svg_files;
 mod svg_oracle;
 mod tips;
 mod units_evidence;
+mod walk_certificate;
 mod work_order;

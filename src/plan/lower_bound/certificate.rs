@@ -10,10 +10,11 @@
 
 use super::net::{Item, homes, items};
 use super::pairs::{Pairs, box_seconds};
+use super::priced_cuts::{Cuts, PricedCut};
 use super::prices::Prices;
 use crate::problem::{self, Problem};
 use serde::{Deserialize, Serialize};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// Lowers least seconds between pieces, as a share of the seconds across everything: 2^-36. They come from about twenty
 /// operations, each of which is off by at most 2^-53 of that.
@@ -29,31 +30,6 @@ pub struct SharedLegs {
     pub items: [usize; 2],
     /// What each of them pays for a leg that ends at each of its knots, in units.
     pub shares: [Vec<i64>; 2],
-}
-
-/// Places that a tour enters and leaves if it stops at one of them: whole items, and some knots of others.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PricedCut {
-    /// The items it holds whole, without home, in ascending order.
-    pub members: Vec<usize>,
-    /// The items of which it holds some knots, in ascending order.
-    pub parts: Vec<Part>,
-    /// The item of `parts` that pays twice the price where a tour stops at one of its knots here. Without one, every tour pays
-    /// it, because it stops at a member.
-    pub visited: Option<usize>,
-    /// What each leg into it or out of it pays, in units; not negative.
-    pub price: i64,
-}
-
-/// Some knots of an item.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Part {
-    /// The item.
-    pub item: usize,
-    /// Its knots in the cut, in ascending order; of the two ends of an open contour both or none.
-    pub knots: Vec<usize>,
 }
 
 /// Numbers that prove a bound of travel.
@@ -77,12 +53,15 @@ pub struct Certificate {
 /// Why a certificate proves nothing.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CertificateFault {
-    /// The bound that the certificate is of, by shares or by stops, does not apply to the problem.
+    /// The bound that the certificate is of, by shares, by walks or by stops, does not apply to the problem.
     #[error("The problem has no bound of the kind that the certificate is of.")]
     Problem,
     /// A list has another length than the problem asks for, or names an item that is not there.
     #[error("The {0} of the certificate do not fit the problem.")]
     Shape(&'static str),
+    /// The check would take too long, or too much memory.
+    #[error("The certificate has more {0} than are checked.")]
+    TooMuch(&'static str),
     /// A leg or a stop costs less than the numbers make it pay.
     #[error("In the certificate, a {0} costs less than it pays.")]
     Overpaid(&'static str),
@@ -121,6 +100,14 @@ pub(super) fn unit(items: &[Item], prices: &Prices, problem: &Problem) -> (i32, 
     };
     // The exponent of the power of two above the scale.
     (libm::frexp(scale).1 - BITS, guard)
+}
+
+/// The items of a problem with these knots, see [`Certificate::knots`].
+pub(super) fn divided(problem: &Problem, knots: &[Vec<f64>]) -> Result<Vec<Item>, CertificateFault> {
+    let items = items(problem);
+    let fitting = if knots.len() == items.len() { Some(items.iter().zip(knots)) } else { None };
+    let divided = fitting.and_then(|f| f.map(|(item, along)| item.with_knots(along)).collect());
+    divided.ok_or(CertificateFault::Shape("knots"))
 }
 
 /// Seconds in units, rounded down.
@@ -175,12 +162,9 @@ impl Certificate {
             return Err(CertificateFault::Problem);
         }
         let first = homes(problem);
-        let mut items = items(problem);
-        if self.knots.len() != items.len() || self.far.len() != items.len() {
+        let items = divided(problem, &self.knots)?;
+        if self.far.len() != items.len() {
             return Err(CertificateFault::Shape("knots"));
-        }
-        for (item, along) in items.iter_mut().zip(&self.knots) {
-            *item = item.with_knots(along).ok_or(CertificateFault::Shape("knots"))?;
         }
         let prices = Prices::new(problem);
         let (power, guard) = unit(&items, &prices, problem);
@@ -236,115 +220,6 @@ impl Certificate {
         }
         Ok(sum)
     }
-}
-
-/// The cuts as the check reads them.
-struct Cuts<'c> {
-    list: &'c [PricedCut],
-    /// For each item the cuts that hold some of it: which of its knots, or all.
-    of: Vec<BTreeMap<usize, Option<Vec<bool>>>>,
-    /// For each item the prices of the cuts that hold some of it.
-    touching: Vec<i128>,
-    /// For each knot of each item what a stop there pays.
-    pay: Vec<Vec<i128>>,
-    /// What is added because every tour pays it.
-    back: i128,
-}
-
-impl<'c> Cuts<'c> {
-    /// `None` if the cuts do not fit the items.
-    fn read(list: &'c [PricedCut], items: &[Item], first: usize) -> Option<Self> {
-        let mut cuts = Self {
-            list,
-            of: vec![BTreeMap::new(); items.len()],
-            touching: vec![0; items.len()],
-            pay: items.iter().map(|i| vec![0; i.knots]).collect(),
-            back: 0,
-        };
-        for (c, cut) in list.iter().enumerate() {
-            let price = i128::from(cut.price);
-            let inside = |item: usize| item >= first && item < items.len();
-            let ascending =
-                cut.members.is_sorted_by(|a, b| a < b) && cut.parts.is_sorted_by(|a, b| a.item < b.item);
-            if price < 0 || !ascending {
-                return None;
-            }
-            for &m in cut.members.iter().filter(|m| inside(**m)) {
-                cuts.of[m].insert(c, None);
-            }
-            for part in cut.parts.iter().filter(|p| inside(p.item)) {
-                let held = held(part, &items[part.item])?;
-                if cut.visited == Some(part.item) {
-                    cuts.pay[part.item]
-                        .iter_mut()
-                        .zip(&held)
-                        .filter(|p| *p.1)
-                        .for_each(|p| *p.0 += 2 * price);
-                }
-                cuts.of[part.item].insert(c, Some(held));
-            }
-            let touched = cuts.of.iter_mut().zip(&mut cuts.touching).filter(|(of, _)| of.contains_key(&c));
-            let known = touched.map(|(_, touching)| *touching += price).count();
-            // An item that is not there, or in both lists, is missing.
-            let named = cut.visited.is_none_or(|v| cut.parts.iter().any(|p| p.item == v));
-            if known != cut.members.len() + cut.parts.len() || !named {
-                return None;
-            }
-            if cut.visited.is_none() {
-                if cut.members.is_empty() {
-                    return None;
-                }
-                cuts.back += 2 * price;
-            }
-        }
-        Some(cuts)
-    }
-
-    /// For each leg between two items, row by row, the prices of the cuts it crosses.
-    fn between(&self, [a, b]: [usize; 2], [n, m]: [usize; 2]) -> Vec<i128> {
-        let mut crossing = vec![0; n * m];
-        let mut add = |c: usize| {
-            let [x, y] = [a, b].map(|k| self.of[k].get(&c));
-            if matches!((x, y), (Some(None), Some(None))) {
-                return;
-            }
-            let holds = |held: Option<&Option<Vec<bool>>>, knot: usize| {
-                held.is_some_and(|knots| knots.as_ref().is_none_or(|knots| knots[knot]))
-            };
-            for (k, paid) in crossing.iter_mut().enumerate() {
-                if holds(x, k / m) != holds(y, k % m) {
-                    *paid += i128::from(self.list[c].price);
-                }
-            }
-        };
-        self.of[a].keys().for_each(|&c| add(c));
-        self.of[b].keys().filter(|c| !self.of[a].contains_key(c)).for_each(|&c| add(c));
-        crossing
-    }
-
-    /// At least what any leg between two items pays to the cuts.
-    fn most_between(&self, [a, b]: [usize; 2]) -> i128 {
-        let price = |c: &usize| i128::from(self.list[*c].price);
-        let crossed = |(c, held): (&usize, &Option<Vec<bool>>)| match self.of[b].get(c) {
-            Some(None) if held.is_none() => 0,
-            _ => price(c),
-        };
-        let of_a: i128 = self.of[a].iter().map(crossed).sum();
-        of_a + self.of[b].keys().filter(|c| !self.of[a].contains_key(c)).map(price).sum::<i128>()
-    }
-}
-
-/// Which knots of its item a part holds; `None` if they do not fit it.
-fn held(part: &Part, item: &Item) -> Option<Vec<bool>> {
-    let mut held = vec![false; item.knots];
-    for &knot in &part.knots {
-        let before = std::mem::replace(held.get_mut(knot)?, true);
-        if before {
-            return None;
-        }
-    }
-    let whole_pairs = !item.paired || held.chunks_exact(2).all(|ends| ends[0] == ends[1]);
-    whole_pairs.then_some(held)
 }
 
 /// The least that an item pays for its legs: two to different items, from one knot or from the two ends of a pair of knots.

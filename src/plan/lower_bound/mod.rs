@@ -73,6 +73,8 @@ mod orders;
 mod pairs;
 #[cfg(feature = "research")]
 mod postman;
+#[cfg(feature = "research")]
+mod priced_cuts;
 mod prices;
 mod rounds;
 #[cfg(feature = "research")]
@@ -81,19 +83,27 @@ mod space;
 #[cfg(feature = "research")]
 mod stop_certificate;
 mod tree;
+#[cfg(feature = "research")]
+mod walk_certificate;
 mod walks;
 
 use crate::problem::{Item, Problem};
 #[cfg(feature = "research")]
-pub use certificate::{Certificate, CertificateFault, Part, PricedCut, SharedLegs, with_paid};
+pub use certificate::{Certificate, CertificateFault, SharedLegs, with_paid};
 use cheap::Cheap;
 #[cfg(feature = "research")]
 pub use postman::StopBound;
+#[cfg(feature = "research")]
+pub use priced_cuts::{Part, PricedCut};
+#[cfg(feature = "research")]
+use rounds::Record;
 use rounds::Strong;
 #[cfg(feature = "research")]
 pub use shares::ShareBound;
 #[cfg(feature = "research")]
 pub use stop_certificate::{CutPart, PricedParts, StopCertificate};
+#[cfg(feature = "research")]
+pub use walk_certificate::WalkCertificate;
 
 /// Most items for the strong bound: with more, one pass over all walks takes about a second.
 const STRONG: usize = 220;
@@ -105,6 +115,9 @@ pub struct LowerBound {
     method: Method,
     /// Work that is granted and not yet done; negative after a piece of work that exceeded the grant.
     left: i64,
+    /// The best walks, when nothing is left to do.
+    #[cfg(feature = "research")]
+    record: Option<Box<Record>>,
 }
 
 #[derive(Debug)]
@@ -126,7 +139,12 @@ impl LowerBound {
         } else {
             Method::Strong(Box::new(Strong::new(problem)))
         };
-        Self { method, left: 0 }
+        Self {
+            method,
+            left: 0,
+            #[cfg(feature = "research")]
+            record: None,
+        }
     }
 
     /// Looks at about `work` more numbers, a few nanoseconds each. `upper` is the cost of a known solution: it sets the
@@ -140,6 +158,10 @@ impl LowerBound {
                 Method::Done(_) => 0,
             };
             if done == 0 {
+                #[cfg(feature = "research")]
+                if let Method::Strong(strong) = &mut self.method {
+                    self.record = strong.record.take();
+                }
                 self.method = Method::Done(self.value());
                 return false;
             }
@@ -155,5 +177,16 @@ impl LowerBound {
             Method::Strong(strong) => strong.value(),
             Method::Done(value) => *value,
         }
+    }
+
+    /// The certificate of the best bound by walks, if it proves more than `above`, s. The bound itself may be higher, because no certificate shows that all
+    /// orders were looked at. Its check takes as long as some looks at all walks.
+    #[cfg(feature = "research")]
+    pub fn certificate(&self, problem: &Problem, above: f64) -> Option<WalkCertificate> {
+        let record = match &self.method {
+            Method::Strong(strong) => strong.record.as_ref(),
+            Method::Cheap(_) | Method::Done(_) => self.record.as_ref(),
+        };
+        record.filter(|record| record.value > above)?.certificate(problem)
     }
 }

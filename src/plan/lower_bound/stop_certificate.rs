@@ -1,10 +1,11 @@
 //! Certificates of the bound by stops (`postman`), and their check in whole numbers. As with [`super::Certificate`], how the numbers were
 //! found does not matter; the check shares the division of contours, the seconds between pieces and the stops of items with the search.
 
-use super::certificate::{CertificateFault, Part, below, stated, unit, units};
+use super::certificate::{CertificateFault, below, stated, unit, units};
 use super::net::{Item, homes};
 use super::pairs::{Pairs, box_seconds};
 use super::postman::{Member, Stop, Stops, applies, members};
+use super::priced_cuts::Part;
 use super::prices::Prices;
 use crate::problem::Problem;
 use serde::{Deserialize, Serialize};

@@ -360,7 +360,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
     words: 'CERTIFICATE [DRAWING]',
     text:
       'Verifies what kerfway plan --certificate has written: makes the problem again from the drawing and the machine, adds the numbers of the ' +
-      'certificate up in whole numbers, without a search, and says how many seconds no plan can be under. Without a drawing, it is the file of ' +
+      'certificate up in whole numbers or finds its shortest walk, without a search, and says how many seconds no plan can be under. Without a drawing, it is the file of ' +
       "the certificate's own name beside it. The exit code is 0 only if the certificate proves what it states.",
     options: {
       'The machine': { machine: { value: 'NAME|FILE', about: 'refuse a certificate for any other machine', choices: 'machines' } },

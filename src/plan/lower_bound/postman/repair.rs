@@ -1,8 +1,9 @@
 //! Feasible numbers near those of the smooth problem, their value, and the certificate of it.
 
-use super::super::certificate::{Part, unit, units};
+use super::super::certificate::{unit, units};
 use super::super::net::Item;
 use super::super::pairs::box_seconds;
+use super::super::priced_cuts::Part;
 use super::super::stop_certificate::{CutPart, PricedParts, StopCertificate};
 use super::cut::{Partition, whole};
 use super::{StopBound, Stops};

@@ -6,6 +6,8 @@ mod close;
 mod company;
 mod cuts;
 mod looks;
+#[cfg(feature = "research")]
+mod record;
 mod sharpen;
 #[cfg(test)]
 mod tests;
@@ -23,6 +25,8 @@ use crate::problem::Problem;
 use bundle::Bundle;
 use company::nearest_company;
 use looks::{LOOKS_AT_ORDERS, Looks};
+#[cfg(feature = "research")]
+pub(super) use record::Record;
 
 /// Most steps of the charges in a round: none needed more than a third of them.
 const MOST_LOOKS: usize = 600;
@@ -57,6 +61,9 @@ pub(super) struct Strong {
     charges: Charges,
     bundle: Bundle,
     best: f64,
+    /// What the best walks were looked for with.
+    #[cfg(feature = "research")]
+    pub(super) record: Option<Box<Record>>,
     looks: usize,
     walks: Vec<(f64, Vec<Visit>)>,
     /// The company of each item in the round before.
@@ -99,6 +106,8 @@ impl Strong {
             charges: Charges::none(count),
             bundle: Bundle::new(Charges::none(count), 0.0),
             best: 0.0,
+            #[cfg(feature = "research")]
+            record: None,
             looks: 0,
             walks: Vec::new(),
             company_before: vec![Vec::new(); count],
@@ -208,6 +217,10 @@ impl Strong {
         };
         let value = least.value - self.charges.back();
         let guard = self.guard(&self.charges, value);
+        #[cfg(feature = "research")]
+        if value - guard > self.best {
+            self.record = Some(Box::new(Record::new(value - guard, &self.ground, &self.charges)));
+        }
         self.best = self.best.max(value - guard);
         self.looks += 1;
         let mut work = self.ground.work_of_meeting(found.len());

@@ -1,0 +1,138 @@
+//! Certificates of the bound by walks (`rounds`), and their check in whole numbers.
+//!
+//! A certificate lists what decides which walks there are, and what they pay: how contours are divided into pieces, which items each item
+//! remembers, the charge of a stop at each item, and the prices of cuts. The check makes the problem again, finds the shortest walk by a dynamic
+//! programme of its own in whole numbers (`states.rs`, `shortest.rs`), and gives the charges back. How the numbers were found does not matter, and
+//! none of them has to be good: whatever they are, no tour takes less than what follows.
+//!
+//! # Why
+//!
+//! A tour stops at each item somewhere between two knots. Replace each stop by one of these two knots by lot, the nearer one more often, so that
+//! the mean of the two is where the stop is. The seconds between pieces (`minorant.rs`) are such that the legs between the
+//! knots take no more in the mean than those of the tour. So some tour over knots takes no more than the tour. It stops once at each item, so that it pays
+//! each charge once. Where it stops in a cut it enters it and leaves it, so that it is given the price twice or more, and pays it twice: either
+//! as every tour does, because the cut holds an item whole, or for its stop at some knots of one. It is among the walks that the check knows, because these
+//! leave out only walks that are no tours. A leg between items that are not near is priced by their boxes and forgets everything, which only lowers the
+//! value.
+//!
+//! The check shares the division of contours, the seconds between pieces, the precedence of items and the reading of cuts with the other
+//! certificates, and nothing with the search for the bound.
+
+mod shortest;
+mod states;
+
+use super::certificate::{CertificateFault, below, divided, stated, unit};
+use super::net::homes;
+use super::order::Order;
+use super::priced_cuts::{Cuts, PricedCut};
+use super::prices::Prices;
+use crate::problem::Problem;
+use serde::{Deserialize, Serialize};
+use shortest::Walks;
+use states::{MOST_ITEMS, States};
+
+/// Most knots of all items: about 50 MB.
+const MOST_KNOTS: usize = 400_000;
+/// Largest charge, and largest sum of the prices of cuts, in units: sums of whole walks fit into 64 bits.
+const LARGEST: i64 = 1 << 50;
+
+/// Numbers that prove a bound of travel by walks.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WalkCertificate {
+    /// The unit is 2 to this power, in seconds (or in the unit of the table of costs).
+    pub unit: i32,
+    /// Arc length of the knots along each item that may be entered anywhere, mm; empty for other items.
+    pub knots: Vec<Vec<f64>>,
+    /// For each item those of a higher number that it is near, in ascending order: legs between them are priced from knot to knot, all others, but
+    /// those of home, by boxes.
+    pub near: Vec<Vec<usize>>,
+    /// For each item which others walks remember there, in ascending order.
+    pub company: Vec<Vec<usize>>,
+    /// For each item what a stop there pays, in units; nothing at home.
+    pub charges: Vec<i64>,
+    /// The cuts with prices.
+    pub cuts: Vec<PricedCut>,
+    /// The bound that follows, in units.
+    pub bound: i64,
+}
+
+impl WalkCertificate {
+    /// The bound of travel, s.
+    pub fn seconds(&self) -> f64 {
+        below(self.unit, self.bound.into())
+    }
+
+    /// Finds the shortest walk again, in whole numbers, and returns the bound of travel of every tour of the problem, s.
+    ///
+    /// # Errors
+    /// What does not fit, or which bound the numbers prove instead.
+    pub fn check(&self, problem: &Problem) -> Result<f64, CertificateFault> {
+        stated(self.unit, self.bound, self.adds_up_to(problem)?)
+    }
+
+    /// The bound that the numbers prove, in units.
+    ///
+    /// # Errors
+    /// What does not fit the problem, or would take too long to check.
+    pub fn adds_up_to(&self, problem: &Problem) -> Result<i128, CertificateFault> {
+        let first = homes(problem);
+        if !applies(problem) {
+            return Err(CertificateFault::Problem);
+        }
+        if self.knots.iter().map(Vec::len).sum::<usize>() > MOST_KNOTS {
+            return Err(CertificateFault::TooMuch("knots"));
+        }
+        let items = divided(problem, &self.knots)?;
+        if items.len() > MOST_ITEMS {
+            return Err(CertificateFault::TooMuch("items"));
+        }
+        let prices = Prices::new(problem);
+        let (power, guard) = unit(&items, &prices, problem);
+        if power != self.unit {
+            return Err(CertificateFault::Shape("units"));
+        }
+        self.fits(items.len(), first, prices.given())?;
+        let order = Order::new(problem, first);
+        let states = States::new((&self.near, &self.company), &order, first)?;
+        let near = &self.near;
+        let walks = Walks { items: &items, first, prices: &prices, order: &order, near, states: &states };
+        walks.are_few(self.cuts.len())?;
+        let cuts = Cuts::read(&self.cuts, &items, first).ok_or(CertificateFault::Shape("cuts"))?;
+        let shortest = walks.shortest((power, guard), &self.charges, &cuts)?;
+        Ok(i128::from(shortest) - self.charges.iter().copied().map(i128::from).sum::<i128>() + cuts.back)
+    }
+
+    /// Whether the lists have the right lengths and name items that are there.
+    fn fits(&self, count: usize, first: usize, all_near: bool) -> Result<(), CertificateFault> {
+        let inside = |list: &Vec<usize>, from: usize| {
+            list.is_sorted_by(|a, b| a < b) && list.iter().all(|i| (from..count).contains(i))
+        };
+        let near = |(item, list): (usize, &Vec<usize>)| {
+            let all = !all_near || list.len() == count - item - 1;
+            if item < first { list.is_empty() } else { all && inside(list, item + 1) }
+        };
+        if self.near.len() != count || !self.near.iter().enumerate().all(near) {
+            return Err(CertificateFault::Shape("near items"));
+        }
+        let company =
+            |(item, list): (usize, &Vec<usize>)| inside(list, first) && (item >= first || list.is_empty());
+        if self.company.len() != count || !self.company.iter().enumerate().all(company) {
+            return Err(CertificateFault::Shape("lists of company"));
+        }
+        let charge = |(item, charge): (usize, &i64)| {
+            if item < first { *charge == 0 } else { (-LARGEST..=LARGEST).contains(charge) }
+        };
+        if self.charges.len() != count || !self.charges.iter().enumerate().all(charge) {
+            return Err(CertificateFault::Shape("charges"));
+        }
+        let prices: i128 = self.cuts.iter().map(|c| i128::from(c.price)).sum();
+        if prices > i128::from(LARGEST) { Err(CertificateFault::Shape("cuts")) } else { Ok(()) }
+    }
+}
+
+/// Whether the bound by walks applies: there is an item, none is left unfinished, and there are no pierce groups.
+fn applies(problem: &Problem) -> bool {
+    problem.items.len() > usize::from(problem.start().is_some())
+        && problem.items.iter().all(|i| i.leave.is_none() && !i.is_pierce_group())
+}

@@ -1,0 +1,129 @@
+//! The states of walks as the check of a certificate knows them: the item where a walk is, and which of the items in this item's company it must not
+//! come to any more.
+//!
+//! A walk must not come back to an item, nor to one that has to be before an item it has been to. It knows that of an item as long as this item is in the company
+//! of all items since.
+
+use super::super::certificate::CertificateFault;
+use super::super::order::Order;
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// Most items: the bits of a [`Set`].
+pub(super) const MOST_ITEMS: usize = 256;
+/// Most states, and most legs between them: about 100 MB. The search for the bound has room for far fewer.
+const MOST_STATES: usize = 200_000;
+const MOST_LEGS: usize = 4_000_000;
+
+/// Some items, as bits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+struct Set([u128; 2]);
+
+impl Set {
+    fn of(items: impl Iterator<Item = usize>) -> Self {
+        let mut bits = [0; 2];
+        items.for_each(|i| bits[i / 128] |= 1 << (i % 128));
+        Self(bits)
+    }
+
+    fn has(self, item: usize) -> bool {
+        self.0[item / 128] >> (item % 128) & 1 == 1
+    }
+
+    fn or(self, other: Self) -> Self {
+        Self([self.0[0] | other.0[0], self.0[1] | other.0[1]])
+    }
+
+    fn and(self, other: Self) -> Self {
+        Self([self.0[0] & other.0[0], self.0[1] & other.0[1]])
+    }
+}
+
+/// Legs from one item to a state of another, which is near.
+#[derive(Clone, Debug)]
+pub(super) struct Step {
+    pub(super) to: usize,
+    pub(super) from: usize,
+    /// The states left, a range of [`States::sources`].
+    pub(super) sources: Range<usize>,
+}
+
+/// All states that walks come to, and the legs between them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct States {
+    /// The item of each.
+    pub(super) item: Vec<usize>,
+    /// For each item the state of a walk that remembers nothing.
+    pub(super) fresh: Vec<usize>,
+    /// By the state they lead to.
+    pub(super) steps: Vec<Step>,
+    pub(super) sources: Vec<usize>,
+    /// For each item those that are not near and from where a walk may come.
+    pub(super) far: Vec<Vec<usize>>,
+}
+
+impl States {
+    /// The states of walks over the items from `first` on. `near`: for each item the later ones that it is near; `company`: for each item what walks
+    /// remember there.
+    pub(super) fn new(
+        (near, company): (&[Vec<usize>], &[Vec<usize>]),
+        order: &Order,
+        first: usize,
+    ) -> Result<Self, CertificateFault> {
+        let count = company.len();
+        // Where a walk must not come to after each item.
+        let barred: Vec<Set> = (0..count)
+            .map(|past| Set::of((first..count).filter(|&i| i == past || order.forbids(past, i, false))))
+            .collect();
+        let lists: Vec<Set> = company.iter().map(|list| Set::of(list.iter().copied())).collect();
+        let later: Vec<Set> = near.iter().map(|list| Set::of(list.iter().copied())).collect();
+        let are_near = |a: usize, b: usize| later[a.min(b)].has(a.max(b));
+        let pairs = |of: usize, near: bool| -> Vec<usize> {
+            (first..count).filter(|&other| other != of && are_near(of, other) == near).collect()
+        };
+        let to_near: Vec<Vec<usize>> = (0..count).map(|item| pairs(item, true)).collect();
+        let mut states = Self::default();
+        for item in 0..count {
+            let far = if item < first { Vec::new() } else { pairs(item, false) };
+            states.far.push(far.into_iter().filter(|&from| !barred[from].has(item)).collect());
+        }
+        let mut known: BTreeMap<(usize, Set), usize> = BTreeMap::new();
+        let mut sets: Vec<Set> = Vec::new();
+        let mut state = |states: &mut Self, sets: &mut Vec<Set>, item: usize, set: Set| {
+            *known.entry((item, set)).or_insert_with(|| {
+                states.item.push(item);
+                sets.push(set);
+                sets.len() - 1
+            })
+        };
+        for item in 0..count {
+            let fresh = if item < first { 0 } else { state(&mut states, &mut sets, item, Set::default()) };
+            states.fresh.push(fresh);
+        }
+        // State led to, item left, state left.
+        let mut legs: Vec<[u32; 3]> = Vec::new();
+        let mut at = 0;
+        while let (Some(&item), Some(&set)) = (states.item.get(at), sets.get(at)) {
+            let past = company[item].iter().filter(|&&i| set.has(i));
+            let out = past.fold(barred[item], |out, &i| out.or(barred[i]));
+            for &next in to_near[item].iter().filter(|&&next| !out.has(next)) {
+                let to = state(&mut states, &mut sets, next, out.and(lists[next]));
+                if sets.len() > MOST_STATES || legs.len() >= MOST_LEGS {
+                    return Err(CertificateFault::TooMuch("states of walks"));
+                }
+                legs.push([to, item, at].map(|x| u32::try_from(x).unwrap_or(u32::MAX)));
+            }
+            at += 1;
+        }
+        legs.sort_unstable();
+        for [to, from, source] in legs.into_iter().map(|leg| leg.map(|x| x as usize)) {
+            let end = states.sources.len() + 1;
+            states.sources.push(source);
+            match states.steps.last_mut().filter(|s| (s.to, s.from) == (to, from)) {
+                Some(step) => step.sources.end = end,
+                None => states.steps.push(Step { to, from, sources: end - 1..end }),
+            }
+        }
+        Ok(states)
+    }
+}
