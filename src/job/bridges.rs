@@ -3,7 +3,7 @@
 use super::JobError;
 use crate::fields::{Fault, FieldError};
 use crate::finding::{Code, Finding, Severity};
-use crate::machine::{PLANS_ALL_LEVERS, Profile};
+use crate::machine::{CornerKind, PLANS_ALL_LEVERS, Profile};
 use crate::sheet::{Sheet, plural};
 
 /// Refuses what cannot be asked for together with bridges.
@@ -15,6 +15,22 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile) -> Result<(), JobError> {
     if sheet.part_by_part {
         let sentence = "Parts that bridges connect are finished together. Leave out \"levers.bridges\", or do not cut part by part.";
         return Err(JobError::Conflict { field: "machine.levers", sentence });
+    }
+    if bridges.cut_later {
+        let rounds = machine.levers.corners.is_some_and(|corners| corners.outer == CornerKind::Round);
+        let others = [
+            (
+                machine.levers.tips.is_some(),
+                "levers.tips",
+                "the connected parts may have dropped or tipped by then",
+            ),
+            (rounds, "levers.corners.outer", "rounded corners leave the ends of the strips uncut"),
+        ];
+        if let Some((_, other, why)) = others.into_iter().find(|other| other.0) {
+            let message =
+                format!("The machine has levers.bridges.cut_later and {other}, but {why}: give one of them.");
+            return Err(FieldError::new(Fault::Contradiction, "machine.levers", message).into());
+        }
     }
     let others =
         [("pre_cut_time", machine.pre_cut_time.is_some()), ("levers.fly", machine.levers.fly.is_some())];
@@ -39,7 +55,12 @@ pub(super) fn bridged(sheet: &Sheet, machine: &Profile, findings: &mut Vec<Findi
         "No bridge saves time: no two parts face each other within reach with room for one, or piercing takes less than its sides.".to_owned()
     } else {
         let (bridges, pieces) = (plural(strips, "bridge", "bridges"), plural(all.len(), "piece", "pieces"));
-        format!("{parts} parts are connected by {bridges} to {pieces}, which a person separates.")
+        let who = if machine.levers.bridges.is_some_and(|b| b.cut_later) {
+            "which the machine separates later"
+        } else {
+            "which a person separates"
+        };
+        format!("{parts} parts are connected by {bridges} to {pieces}, {who}.")
     };
     let finding = Finding::new(Code::Bridges, Severity::Info, message);
     let at = all.first().and_then(|b| b.strips.first()).map(|s| s.sides[0][0]);
@@ -48,4 +69,9 @@ pub(super) fn bridged(sheet: &Sheet, machine: &Profile, findings: &mut Vec<Findi
         None => finding,
     });
     bridged
+}
+
+/// The sheet, already with the paths of the beam, with the cuts through its bridges; `None` if the machine makes none.
+pub(super) fn with_cuts(sheet: &Sheet, machine: &Profile) -> Option<Sheet> {
+    if PLANS_ALL_LEVERS { sheet.with_bridge_cuts(machine) } else { None }
 }

@@ -155,7 +155,7 @@ impl Job {
         let sheet = self.beam_sheet.as_ref()?;
         let none = Path::default();
         let paths = (0..).zip(&sheet.contours).map(|(id, c)| {
-            let elsewhere = c.bridged.is_some_and(|root| root != id);
+            let elsewhere = c.path.closed && c.bridged.is_some_and(|root| root != id);
             if elsewhere { &none } else { &c.path }
         });
         Some((report::contours(sheet), Geometry::of(paths)))
@@ -200,6 +200,7 @@ impl Job {
         bridges::check(&self.sheet, profile)?;
         self.drop_run();
         let mut findings = self.compensate(&placed.profile);
+        self.beam_sheet = bridges::with_cuts(self.beam_sheet(), &placed.profile).or(self.beam_sheet.take());
         let skeleton = self.beam_sheet().with_skeleton(&placed.seen_from_drawing()).map_err(|fault| {
             let message = format!("Skeleton cuts are not possible: {fault}.");
             FieldError::new(Fault::Contradiction, "machine.skeleton", message)

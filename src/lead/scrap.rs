@@ -64,7 +64,7 @@ impl<'s> Scrap<'s> {
             bed,
         };
         for (contour, c) in
-            (0..).zip(contours).filter(|(_, c)| c.operation == Operation::Cut && c.pass == 0 && !c.skeleton)
+            (0..).zip(contours).filter(|(_, c)| c.operation == Operation::Cut && c.pass == 0 && !c.is_added())
         {
             let beside = if c.drawn.is_some() { 0.0 } else { scrap.beside_drawn };
             let mut start = 0.0;

@@ -31,6 +31,11 @@ pub struct Bridges {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub most: Option<f64>,
+    /// The machine cuts the bridges itself, after the cut around the connected parts: across each strip, along the outlines of both parts.
+    /// Otherwise a person separates the parts. Default false.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    #[cfg_attr(test, ts(as = "Option<bool>"))]
+    pub cut_later: bool,
 }
 
 /// A millimetre, as for chains.
@@ -45,6 +50,7 @@ impl Bridges {
         Field::required("reach", Kind::Number(REACH)),
         Field::optional("clearance", Kind::Number(CLEARANCE)),
         Field::nullable("most", Kind::Whole(MOST)),
+        Field::optional("cut_later", Kind::Flag),
     ];
 
     /// The numbers with their names and ranges.

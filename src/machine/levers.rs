@@ -179,7 +179,7 @@ fn bridges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Bridges>
         return Option::deserialize(deserializer);
     }
     let given = Option::<IgnoredAny>::deserialize(deserializer)?;
-    Ok(given.map(|_| Bridges { width: 1.0, reach: 1.0, clearance: 1.0, most: None }))
+    Ok(given.map(|_| Bridges { width: 1.0, reach: 1.0, clearance: 1.0, most: None, cut_later: false }))
 }
 
 /// Whether the bridges of a machine are not written: there are none, or this build does not know what they are.

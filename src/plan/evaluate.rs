@@ -196,6 +196,8 @@ impl<'a> Sums<'a> {
         {
             if contour.skeleton {
                 sum.skeleton_cuts += 1;
+            }
+            if contour.is_added() {
                 continue;
             }
             sum.contours += 1;

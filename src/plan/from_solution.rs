@@ -9,7 +9,7 @@ use crate::geometry::{DVec2, Path, Segment};
 use crate::joint::{ContourJoints, Divided, Stretch, divided};
 use crate::lead::{Lead, Run, starts_moving};
 use crate::machine::{JointKind, PLANS_ALL_LEVERS, Process, Profile};
-use crate::problem::{Item, NodeId, Problem, Stroke};
+use crate::problem::{Item, NodeId, Problem, Stroke, begins_on_kerf};
 use crate::sheet::{Sheet, Strip};
 use crate::solve::{Begun, Solution, Stop, begun};
 
@@ -19,7 +19,7 @@ use crate::solve::{Begun, Solution, Stop, begun};
 /// the machine charges for pre-cuts, and is resumed without piercing; so is a pierce group. A cut pauses in sharp corners, and
 /// is interrupted by micro-joints. There is no air move if the head
 /// is already in place. Between nodes with a link there is a chain or an edge start instead, and no piercing. Each cut begins in the quickest way that there is,
-/// which may be on a kerf that was cut before.
+/// which may be on a kerf that was cut before; cuts through bridges begin on that of the cut around the connected parts.
 pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> Plan {
     let mut moves = Vec::with_capacity(3 * solution.stops.len() + 1);
     let mut head = problem.home;
@@ -88,7 +88,9 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         let passes = sheet.passes_at_once(known, &problem.machine);
         let moving =
             item.is_none_or(|i| i.joints.is_none()) && starts_moving(sheet, &problem.machine, known, lead);
+        let on_kerf = begins_on_kerf(sheet, &problem.machine, &problem.items, known);
         let start = match (moving, known.is_mark()) {
+            _ if on_kerf => None,
             _ if resumed || link.is_some() || approach.is_some() || begins.is_some() => None,
             (true, _) => Some(Move::MovingStart),
             (false, true) => None,
@@ -145,7 +147,8 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
 fn name_bridged(moves: &mut [Move], sheet: &Sheet) {
     for step in moves {
         let Move::Cut { contour, with, .. } = step else { continue };
-        let Some(root) = sheet.contours.get(*contour as usize).and_then(|c| c.bridged) else { continue };
+        let around = sheet.contours.get(*contour as usize).filter(|c| c.path.closed);
+        let Some(root) = around.and_then(|c| c.bridged) else { continue };
         let group = sheet.bridged.binary_search_by_key(&root, |b| b.contour).ok();
         let group = group.and_then(|k| sheet.bridged.get(k));
         let outlines = group.iter().flat_map(|b| &b.outlines).map(|o| o.0);

@@ -1,5 +1,6 @@
 //! Conversion of a sheet to a problem: one item for each contour, with entries, precedence from the nesting, and a rank.
 
+use super::bridge_cuts::begins_on_kerf;
 use super::chains::Candidates;
 use super::entries::entries;
 use super::fly::FlyGroups;
@@ -48,6 +49,7 @@ use crate::sheet::{Contour, Operation, Sheet};
 ///   cut, and skeleton cuts that begin at the edge or on each other, have starts beside their nodes.
 /// * Joints: a contour with micro-joints is entered where its leads are away from them, or at the end of one. It is not left
 ///   unfinished, and is pierced at rest.
+/// * Cuts through bridges come after the cut around the connected parts, on whose kerf they begin: pairs of items, too.
 /// * Sequences: pairs of items. Contours in a sequence are not left unfinished, and have at least the rank of those before them.
 /// * Skipped contours: items without nodes.
 /// * Groups: what a person keeps together, and the parts, if the sheet is cut part by part.
@@ -129,6 +131,8 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
         }
         let may_move = joints.is_none();
         let (fixed, run) = seconds(sheet, machine, contour, passes, may_move);
+        let on_kerf = begins_on_kerf(sheet, machine, &items, contour);
+        let fixed = if on_kerf { fixed - f64::from(passes) * machine.pierce_time } else { fixed };
         items.push(Item {
             nodes: first..count(&nodes),
             before: joined.before(item),
@@ -246,10 +250,11 @@ fn groups(sheet: &Sheet) -> Groups {
     Groups::new(of, around)
 }
 
-/// The order that sequences ask for, between items.
+/// The order that sequences ask for, and the cuts through bridges after the cut around the connected parts, between items.
 fn pairs(sheet: &Sheet, joined: &PierceGroups) -> Vec<(ItemId, ItemId)> {
     let items = |(a, b): (u32, u32)| (joined.stands_for(a), joined.stands_for(b));
-    let mut pairs: Vec<_> = sheet.in_turn().into_iter().map(items).filter(|(a, b)| a != b).collect();
+    let all = sheet.in_turn().into_iter().chain(sheet.cut_apart());
+    let mut pairs: Vec<_> = all.map(items).filter(|(a, b)| a != b).collect();
     sort_by(&mut pairs, |&(a, b)| [a.into(), b.into(), 0]);
     pairs.dedup();
     pairs

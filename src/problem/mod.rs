@@ -2,6 +2,7 @@
 //! know neither drawings nor machine programs.
 
 mod beside;
+mod bridge_cuts;
 mod chains;
 mod entries;
 mod fly;
@@ -24,6 +25,7 @@ mod table;
 mod tipping;
 
 pub use beside::Beside;
+pub(crate) use bridge_cuts::begins_on_kerf;
 pub use from_sheet::from_sheet;
 pub use group_problem::{Element, GroupMethod, GroupProblem, GroupProblems, group_problems};
 pub use groups::Groups;

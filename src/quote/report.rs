@@ -256,7 +256,7 @@ fn items(parts: &[Part], boxes: &[Aabb], seconds: &[Seconds], confidence: Vec<Co
 fn layers(contours: &[Contour]) -> Vec<LayerUse> {
     let mut all: Vec<LayerUse> = Vec::new();
     for c in
-        contours.iter().filter(|c| c.operation != Operation::Ignore && c.next_pass.is_none() && !c.skeleton)
+        contours.iter().filter(|c| c.operation != Operation::Ignore && c.next_pass.is_none() && !c.is_added())
     {
         let known = all.iter().position(|l| l.layer == c.layer && l.operation == c.operation);
         let at = known.unwrap_or_else(|| {

@@ -2,7 +2,7 @@
 //!
 //! What a part takes by itself (cuts, marks on it, piercings, pre-cuts, pauses in corners) is charged to it. A cut along a
 //! side that parts share is divided equally between the contours that it runs along, and one around parts that bridges connect by the lengths
-//! of their outlines. Air moves belong to no part; they are
+//! of their outlines. A cut through a bridge is charged to the part whose outline it completes. Air moves belong to no part; they are
 //! shared by the number of places where the beam is switched on, so that equal parts cost the same wherever they lie.
 //! Marks and cuts that belong to no part are kept apart, so that all together add up to the job.
 
@@ -30,6 +30,8 @@ pub(super) fn seconds(
     let mut all = vec![Seconds::default(); parts + 1];
     let owner = |contour: u32| {
         let last = document.last_pass(contour);
+        let completes = document.contours.get(last as usize).and_then(|c| c.completes());
+        let last = completes.unwrap_or(last);
         part_of.get(last as usize).copied().flatten().unwrap_or(parts)
     };
     let machine = &document.machine;

@@ -3,7 +3,7 @@
 use super::groups::PierceGroup;
 use crate::finding::Finding;
 use crate::geometry::{Aabb, DVec2, Path};
-use crate::machine::{CornerKind, LeadKind, Settings};
+use crate::machine::{CornerKind, LeadKind, PLANS_ALL_LEVERS, Settings};
 use crate::order::sort_by;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -223,7 +223,8 @@ pub struct Contour {
     pub rest_of: Option<u32>,
     /// Whether it is a skeleton cut: a straight cut through the waste, after everything else, that nobody drew.
     pub skeleton: bool,
-    /// The contour with which this outline is cut, because bridges connect their parts, or itself; see [`Bridged`].
+    /// The contour with which this outline is cut, because bridges connect their parts, or itself; see [`Bridged`]. Of an open cut the
+    /// outline that it completes ([`Contour::completes`]).
     pub bridged: Option<u32>,
 }
 
@@ -260,6 +261,16 @@ impl Contour {
     /// Whether it is cut or marked.
     pub fn is_processed(&self) -> bool {
         self.operation != Operation::Ignore
+    }
+
+    /// Of a cut through a bridge, which nobody drew: the outline of the part that it completes where the bridge ends on it.
+    pub fn completes(&self) -> Option<u32> {
+        if PLANS_ALL_LEVERS && !self.path.closed { self.bridged } else { None }
+    }
+
+    /// Whether it is a cut that nobody drew: a skeleton cut, or one through a bridge.
+    pub fn is_added(&self) -> bool {
+        self.skeleton || self.completes().is_some()
     }
 
     /// The curve that bounds its area: the path of a closed contour, or the outline that an open contour is the rest

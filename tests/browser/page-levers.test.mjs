@@ -132,6 +132,8 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
     const bridges = machine.getByLabel('Connect parts by bridges');
     await replanned(page, () => bridges.check());
     await replanned(page, () => machine.getByLabel('Longest bridge').fill('25'));
+    const right = async (label) => (await machine.getByLabel(label).boundingBox()).x;
+    assert.equal(await right('Most parts together'), await right('Longest bridge'), 'fields stand below each other');
     await bridges.scrollIntoViewIfNeeded();
     await shot(page, `bridges-${size}-${theme}`);
     if (size === 'phone') return;
@@ -139,6 +141,8 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
     assert.deepEqual(connected.machine.levers, { bridges: { width: 2, reach: 25, clearance: 1 } });
     assert.deepEqual([connected.summary.bridges, connected.summary.pierces], [3, 1]);
     assert.ok(await machine.getByLabel('Cut rows and grids on the run').isDisabled(), 'connected parts are cut in one go');
+    await replanned(page, () => machine.getByLabel('Cut them later').check());
+    assert.equal((await plan(page)).machine.levers.bridges.cut_later, true);
     await replanned(page, () => bridges.uncheck());
     assert.equal((await plan(page)).summary.pierces, 4);
   });

@@ -129,6 +129,24 @@ describe('bridges', () => {
     await assert.rejects(planner.plan({ machine: { ...machine, pre_cut_time: 0.5 } }).done, /levers\.bridges and pre_cut_time/);
   });
 
+  it('are cut later by the machine', async (t) => {
+    const planner = await createPlanner();
+    t.after(() => planner.close());
+    const thick = planner.machines.find((m) => m.name === 'fibre-6kw-thick');
+    const machine = { ...thick, pierce_time: 3, levers: { bridges: { width: 3, reach: 10, cut_later: true } } };
+    await planner.load(row, 'row.dxf');
+    const { progress: { path, summary } } = await planner.plan({ machine, seed: 1, moves: 20_000 }).done;
+    assert.deepEqual([summary.bridges, summary.pierces, summary.contours, summary.parts], [2, 1, 3, 3]);
+    assert.ok(Math.abs(summary.cut_length - (240 + 4 * 8)) < 1e-9);
+    assert.equal(path.contours[0], 0);
+    assert.deepEqual([...path.contours].sort(), [0, 3, 4, 5, 6]);
+    const document = JSON.parse(await planner.output('json'));
+    assert.ok(validate(document), JSON.stringify(validate.errors));
+    assert.deepEqual(document.contours.slice(3).map((c) => [c.closed, c.bridged]), [[false, 0], [false, 1], [false, 1], [false, 2]]);
+    const check = await planner.check();
+    assert.deepEqual([check.passed, check.problems], [true, []]);
+  });
+
   it('are options of the command line', async (t) => {
     const at = folder(t);
     const [file, json] = [join(at, 'row.dxf'), join(at, 'row.json')];
@@ -139,6 +157,11 @@ describe('bridges', () => {
     assert.match(ran.stdout + ran.stderr, /bridges saves/);
     const { machine, summary } = JSON.parse(readFileSync(json, 'utf8'));
     assert.deepEqual([machine.levers.bridges, summary.bridges], [{ width: 3, reach: 10, clearance: 2, most: 2 }, 1]);
+    const apart = await plan('--bridges', '10', '--cut-bridges');
+    assert.equal(apart.code, 0, apart.stderr);
+    assert.deepEqual(JSON.parse(readFileSync(json, 'utf8')).machine.levers.bridges, { width: 2, reach: 10, clearance: 1, cut_later: true });
+    const alone = await plan('--cut-bridges');
+    assert.deepEqual([alone.code, /--cut-bridges: the machine does not connect parts/.test(alone.stderr)], [2, true], alone.stderr);
     const without = await plan('--bridge-width', '3');
     assert.deepEqual([without.code, /--bridge-width: the machine does not connect parts/.test(without.stderr)], [2, true], without.stderr);
   });

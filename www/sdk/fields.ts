@@ -1238,6 +1238,12 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
                             "name": "most",
                             "nullable": true,
                             "required": false
+                          },
+                          {
+                            "kind": "flag",
+                            "name": "cut_later",
+                            "nullable": false,
+                            "required": false
                           }
                         ]
                       },

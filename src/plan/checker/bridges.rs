@@ -139,7 +139,7 @@ fn is_tree(group: &Bridged) -> bool {
 }
 
 /// Where a strip opens an outline: from and to, in the direction of the outline.
-fn opening(strip: &Strip, outline: u32) -> Option<[DVec2; 2]> {
+pub(super) fn opening(strip: &Strip, outline: u32) -> Option<[DVec2; 2]> {
     let [[a, b], [c, d]] = strip.sides;
     match strip.contours {
         [one, _] if one == outline => Some([a, d]),
@@ -203,7 +203,7 @@ fn stands(
         near.copied().find(|p| path.nearest(*p).is_some_and(|(_, at)| at.distance(*p) < least))
     };
     let others = sheet.contours.iter().zip(0..).filter(|(c, id)| {
-        c.operation != Operation::Ignore && !c.skeleton && c.next_pass.is_none() && *id != group.contour
+        c.operation != Operation::Ignore && !c.is_added() && c.next_pass.is_none() && *id != group.contour
     });
     let others = others.map(|(c, _)| c.drawn.as_ref().unwrap_or(&c.path));
     let beside = group.outlines.iter().filter(|o| !strip.contours.contains(&o.0)).map(|o| &o.1);

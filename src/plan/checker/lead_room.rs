@@ -40,7 +40,7 @@ impl<'s> Room<'s> {
         };
         let cuts = (0..)
             .zip(&sheet.contours)
-            .filter(|(_, c)| c.operation == Operation::Cut && c.pass == 0 && !c.skeleton);
+            .filter(|(_, c)| c.operation == Operation::Cut && c.pass == 0 && !c.is_added());
         let elements: Vec<_> = cuts.flat_map(of).collect();
         let index = BoxIndex::new(elements.iter().map(|e| e.1.bounds()));
         let all = (0..).zip(&sheet.contours).filter(|(_, c)| c.bounds_area() && c.pass == 0);

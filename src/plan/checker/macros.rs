@@ -42,7 +42,10 @@ pub(super) fn joined<'p>(
                     found.push(Violation::NoMacro { step, contour: *contour, at: pair[1].start() });
                 }
                 let corner = match (out.last().map(|o| o.1.as_ref()), path.first()) {
-                    (Some(Move::Cut { path, mark: false, .. }), Some(next)) => path.last().zip(Some(next)),
+                    (Some(before @ Move::Cut { path, mark: false, .. }), Some(next)) => {
+                        // Otherwise the beam goes off between them.
+                        path.last().zip(Some(next)).filter(|_| goes_on(before, *contour, groups))
+                    }
                     _ => None,
                 };
                 if let Some((step, _)) = pause

@@ -5,6 +5,7 @@
 //! out as drawn (`kerf.rs`), and adds up lengths and times with its own formula for trapezoidal motion (`sums.rs`). It does
 //! share the geometry (points and lengths of elements) and the look-ahead along a contour, which has its own oracle.
 
+mod bridge_cuts;
 mod bridges;
 mod chains;
 mod corners;
@@ -58,7 +59,8 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     let mut groups = Groups::new(sheet, machine, plan);
     let mut flown = Flown::new(sheet, plan);
     let starts = SkeletonStarts::new(sheet, machine, plan);
-    follow(&mut visits, &mut groups, (&mut flown, &starts), sheet, machine, plan, &mut found);
+    let through = bridge_cuts::on_kerfs(sheet, plan);
+    follow(&mut visits, &mut groups, (&mut flown, &starts, &through), sheet, machine, plan, &mut found);
     pre_cuts(machine, plan, &mut found);
     visits.finish(|c| groups.holds(c) || flown.holds(c) || starts.hold(c), &mut found);
     if PLANS_ALL_LEVERS {
@@ -74,6 +76,7 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     corners::check(sheet, machine, as_planned, |c| flown.holds(c), &mut found);
     chains::check(sheet, machine, plan, &mut found);
     bridges::check(sheet, machine, plan, &mut found);
+    bridge_cuts::check(sheet, machine, &visits, &mut found);
     moving::check(sheet, machine, plan, &flown, &mut found);
     joints::check(sheet, machine, plan, &groups, &mut found);
     skeleton::check(sheet, machine, plan, &mut found);
@@ -101,7 +104,7 @@ fn pre_cuts(machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
 fn follow(
     visits: &mut Visits,
     groups: &mut Groups,
-    (flown, starts): (&mut Flown, &SkeletonStarts),
+    (flown, starts, through): (&mut Flown, &SkeletonStarts, &[usize]),
     sheet: &Sheet,
     machine: &Profile,
     plan: &Plan,
@@ -260,7 +263,8 @@ fn follow(
                 }
                 let over_joint = after_joint.is_some_and(|(_, flying)| flying);
                 let on = pierced || over_joint || runs_on || chained;
-                let ready = *mark || on || starts.allow(step) || (resumed && visits.is_ready(*contour));
+                let on_kerf = starts.allow(step) || through.binary_search(&step).is_ok();
+                let ready = *mark || on || on_kerf || (resumed && visits.is_ready(*contour));
                 let goes_on = before.is_some_and(|b| groups.same(b, *contour));
                 let begun = pierced || goes_on;
                 if !grouped && !ready {

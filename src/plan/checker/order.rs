@@ -27,7 +27,10 @@ pub(super) fn check(
         })
         .collect();
     let mut rank = own.clone();
-    let nested = nesting::pairs(sheet);
+    let mut nested = nesting::pairs(sheet);
+    // A cut through a bridge lies in the piece that it divides, and comes after the cut around that.
+    let apart = apart(sheet);
+    nested.retain(|&(inner, outer)| apart.binary_search(&(outer, inner)).is_err());
     for &(inner, outer) in &nested {
         let (i, o) = (inner as usize, outer as usize);
         // An outer contour waits for what lies inside it, whatever its layer.
@@ -38,6 +41,9 @@ pub(super) fn check(
         {
             found.push(Violation::CutFree { outer, inner });
         }
+    }
+    for (around, through) in apart {
+        rank[through as usize] = rank[through as usize].max(rank[around as usize]);
     }
 
     let turns = turns(sheet);
@@ -59,6 +65,15 @@ pub(super) fn check(
         part_by_part(sheet, visits, &rank, found);
     }
     together(sheet, visits, &rank, found);
+}
+
+/// The cuts through bridges, each after the cut around the parts that it separates, in order.
+fn apart(sheet: &Sheet) -> Vec<(u32, u32)> {
+    let around = |outline: u32| sheet.contours.get(outline as usize).and_then(|c| c.bridged);
+    let all = (0..).zip(&sheet.contours).filter_map(|(id, c)| Some((around(c.completes()?)?, id)));
+    let mut all: Vec<(u32, u32)> = if PLANS_ALL_LEVERS { all.collect() } else { Vec::new() };
+    sort_by(&mut all, |&(a, b)| [a.into(), b.into(), 0]);
+    all
 }
 
 /// Whether a contour is a hole that comes before other cuts because it is small for the thickness of the plate.

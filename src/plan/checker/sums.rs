@@ -129,8 +129,9 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     // A contour that is cut in several stretches counts once.
     sort_by(&mut worked, |&c| [c.into(), 0, 0]);
     worked.dedup();
-    // The earlier passes over a line are no contours of their own, nor are skeleton cuts.
-    worked.retain(|&c| sheet.contours.get(c as usize).is_some_and(|c| c.next_pass.is_none() && !c.skeleton));
+    // The earlier passes over a line are no contours of their own, nor are cuts that nobody drew.
+    worked
+        .retain(|&c| sheet.contours.get(c as usize).is_some_and(|c| c.next_pass.is_none() && !c.is_added()));
     let is_open = |c: &&u32| sheet.contours.get(**c as usize).is_some_and(|c| !c.path.closed);
     let (contours, open) = (worked.len() as f64, worked.iter().filter(is_open).count() as f64);
     let s = &plan.summary;

@@ -37,7 +37,7 @@ pub(super) struct Waste<'s> {
 
 impl<'s> Waste<'s> {
     pub(super) fn new(sheet: &'s Sheet, machine: &Profile, clearance: f64) -> Self {
-        let is_cut = |c: &&Contour| c.operation == Operation::Cut && c.pass == 0 && !c.skeleton;
+        let is_cut = |c: &&Contour| c.operation == Operation::Cut && c.pass == 0 && !c.is_added();
         let mut elements = Vec::new();
         for (id, c) in (0..).zip(&sheet.contours).filter(|(_, c)| is_cut(c)) {
             let beside = if c.drawn.is_some() { 0.0 } else { 0.5 * machine.kerf_width };

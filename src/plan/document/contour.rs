@@ -35,7 +35,8 @@ pub struct Contour {
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub skeleton: bool,
     /// The contour with which this outline is cut, or itself, because bridges connect their parts: a cut goes around all of these
-    /// parts, and names all of these contours. Length, area and `drawn` are those of the part alone.
+    /// parts, and names all of these contours. Length, area and `drawn` are those of the part alone. Of an open cut through a bridge: the
+    /// outline that it completes.
     #[serde(default, skip_serializing_if = "is_alone")]
     pub bridged: Option<u32>,
     /// The outline of what is made, where the line that is cut is not that outline: it runs half a kerf beside it, leaves
@@ -67,9 +68,19 @@ impl Contour {
         outline.map_or(self.length, |o| o.segments().iter().map(Segment::length).sum())
     }
 
+    /// Of a cut through a bridge: the outline of the part that it completes.
+    pub fn completes(&self) -> Option<u32> {
+        if PLANS_ALL_LEVERS && !self.closed { self.bridged } else { None }
+    }
+
+    /// Whether it is a cut that nobody drew: a skeleton cut, or one through a bridge.
+    pub fn is_added(&self) -> bool {
+        self.skeleton || self.completes().is_some()
+    }
+
     /// Whether it frees no part.
     pub fn is_open(&self) -> bool {
-        self.next_pass.is_none() && !self.closed && self.drawn.is_none() && !self.skeleton
+        self.next_pass.is_none() && !self.closed && self.drawn.is_none() && !self.is_added()
     }
 }
 

@@ -10,6 +10,7 @@
 //!    distance from other strips, and saves something. If no strips are in each other's way, no other choice of strips saves more: it is
 //!    a maximum spanning forest, by the algorithm of Kruskal (1956, doi:10.1090/S0002-9939-1956-0078686-7).
 //! 5. **The path** ([`joined`]): once around every tree of parts.
+//! 6. **Cuts through bridges** ([`later`]), if the machine separates the parts itself: across each strip, along the outlines of both parts.
 //!
 //! What comes after this knows one contour around several parts: leads, kerf, chains, micro-joints, skeleton cuts and all searches
 //! take it as the outline of one piece, which it is.
@@ -17,6 +18,7 @@
 //! [IGEMS, "Bridges"]: https://igems.zendesk.com/hc/en-us/articles/22394892034076-Bridges
 
 mod joined;
+mod later;
 mod price;
 mod room;
 mod side;

@@ -3,9 +3,12 @@
 //! Cutting is priced around the strip: from some way before each opening to some way behind it, once along both outlines, and once along both
 //! sides of the strip. The stretches are long enough to reach the speed of the cut, or half of what is left of the outline. Strips of one
 //! outline are priced as if each were alone.
+//!
+//! Where the machine cuts the bridges later, the two cuts across the strip are charged as well: from rest to rest, with the delays of the beam, a
+//! move from one to the other, and one to the strip, which is counted as long as a side of a square as large as the smaller part.
 
 use super::strip::Candidate;
-use crate::geometry::{Path, Segment};
+use crate::geometry::{DVec2, Path, Segment};
 use crate::machine::{AirTime, Process, Profile, process_time};
 
 /// What cutting costs on one machine.
@@ -42,7 +45,22 @@ impl<'m> Prices<'m> {
         let moving = passes == 1 && self.machine.levers.moving_pierce.is_some();
         let pierce = if moving { 0.0 } else { self.machine.pierce_time };
         let delays = self.machine.delays_of_cut(moving);
-        self.air.seconds(a, b) + f64::from(passes) * (pierce + delays + apart - joined)
+        let later = self.machine.levers.bridges.is_some_and(|bridges| bridges.cut_later);
+        let later = if later { self.later(candidate, outlines, process, passes) } else { 0.0 };
+        self.air.seconds(a, b) + f64::from(passes) * (pierce + delays + apart - joined) - later
+    }
+
+    /// The seconds of the two cuts across a strip, which begin on a kerf.
+    fn later(&self, candidate: &Candidate, outlines: [&Path; 2], process: &Process, passes: u32) -> f64 {
+        let [[a, b], _] = candidate.strip.sides;
+        let cut = |k: usize| {
+            let [from, to] = candidate.openings[k];
+            let seconds = process_time(self.machine, process, false, &outlines[k].between(from, to));
+            f64::from(passes) * (seconds + self.machine.beam_delays())
+        };
+        let [one, other] = outlines.map(|outline| outline.area().abs());
+        let there = self.air.seconds(a, a + DVec2::X * one.min(other).sqrt());
+        cut(0) + cut(1) + self.air.seconds(a, b) + there
     }
 }
 

@@ -3,6 +3,8 @@
 
 mod checked;
 mod choice;
+mod later;
+mod later_checked;
 mod others;
 
 use crate::testkit::dialects::read_back;
@@ -20,7 +22,7 @@ fn p(x: f64, y: f64) -> DVec2 {
 }
 
 fn bridging(width: f64, reach: f64) -> Profile {
-    let bridges = Bridges { width, reach, clearance: 1.0, most: None };
+    let bridges = Bridges { width, reach, clearance: 1.0, most: None, cut_later: false };
     Profile { levers: Levers { bridges: Some(bridges), ..Levers::default() }, ..plain() }
 }
 

@@ -11,7 +11,7 @@ use kerfway::sheet::PassOrder;
 use serde_json::{Value, json};
 
 /// What machines may have besides.
-fn kinds() -> Vec<(&'static str, Value)> {
+pub(super) fn kinds() -> Vec<(&'static str, Value)> {
     let lead = json!({ "kind": "line", "length": 2.0 });
     let slats = json!({ "pitch": 60.0 });
     vec![
@@ -119,14 +119,14 @@ fn machines_that_cut_outlines_in_pieces_refuse_bridges() {
 }
 
 /// What is said of a job that is not planned.
-fn refused(load: &LoadOptions, change: Value) -> String {
+pub(super) fn refused(load: &LoadOptions, change: Value) -> String {
     let machine = MachineChoice::Profile(Box::new(with(&bridging(3.0, 10.0), &change)));
     let mut job = Job::load(drawn(&nest(2, 1, p(20.0, 20.0), 8.0)).into(), "two.dxf", load).unwrap();
     job.start(&PlanOptions { machine, ..PlanOptions::default() }).err().unwrap().to_string()
 }
 
 /// Parts of several shapes at random places, with holes in some.
-fn random(dice: &mut Dice) -> Vec<Entity> {
+pub(super) fn random(dice: &mut Dice) -> Vec<Entity> {
     let mut drawing = Vec::new();
     for k in 0..12_u32 {
         let at = p(f64::from(k % 4), f64::from(k / 4)) * p(52.0, 46.0) + 10.0;

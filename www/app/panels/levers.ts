@@ -82,7 +82,8 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
   const span = numberInput({ unit: 'mm', least: 0.1, most: MOST.reach }, (value) => bridged({ reach: value }));
   const apart = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => bridged({ clearance: value }));
   const most = numberInput({ unit: '', least: 2, most: 1e6, empty: 0, whole: true }, (value) => bridged({ most: value || null }));
-  const strips = h('div', { class: 'stack' }, field(w.bridgeWidth, width.input, 'mm'), field(w.bridgeReach, span.input, 'mm'), field(w.chainClearance, apart.input, 'mm'), field(w.bridgeMost, most.input, ''), h('p', { class: 'soft' }, w.aboutBridges));
+  const cutLater = check(w.cutLater, (on) => bridged({ cut_later: on }));
+  const strips = h('div', { class: 'stack' }, field(w.bridgeWidth, width.input, 'mm'), field(w.bridgeReach, span.input, 'mm'), field(w.chainClearance, apart.input, 'mm'), field(w.bridgeMost, most.input, ''), cutLater.root, h('p', { class: 'soft' }, w.aboutBridges));
   const shared = switched(w.shared, 'common_cuts', {});
   const sharing = changed('common_cuts', {});
   const shift = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => sharing({ shift: value }));
@@ -142,6 +143,7 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
       span.show(levers?.bridges?.reach ?? BRIDGES.reach);
       apart.show(levers?.bridges?.clearance ?? BRIDGES.clearance);
       most.show(levers?.bridges?.most ?? 0);
+      cutLater.input.checked = levers?.bridges?.cut_later === true;
       shared.input.checked = Boolean(levers?.common_cuts);
       // What is left unfinished for others, may tip or has to cool is not planned with them.
       shared.input.disabled = !levers?.common_cuts && (typeof pre_cut_time === 'number' || levers?.tips != null || levers?.heat != null);

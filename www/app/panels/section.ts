@@ -23,7 +23,7 @@ export function section(title: string, open: boolean): Section {
 
 /** A label above or beside its control. `unit`: that of the value; a length is shown in the unit that the person has chosen. */
 export function field(label: string, control: HTMLElement, unit?: string): HTMLLabelElement {
-  return h('label', { class: 'field' }, h('span', { class: 'field-label' }, label), h('span', { class: 'field-control' }, control, unit ? h('span', { class: 'unit' }, shownIn(unit).unit) : null));
+  return h('label', { class: 'field' }, h('span', { class: 'field-label' }, label), h('span', { class: 'field-control' }, control, unit !== undefined ? h('span', { class: 'unit' }, shownIn(unit).unit) : null));
 }
 
 /** A checkbox with its label. */

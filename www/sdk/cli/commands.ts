@@ -129,6 +129,7 @@ const LEVERS: Options = {
   'bridge-width': { value: 'MM', about: 'with --bridges: width of the strips (default 2)' },
   'bridge-clearance': { value: 'MM', about: 'with --bridges: least distance of the strips from other contours and from corners (default 1)' },
   'bridge-most': { value: 'N', about: 'with --bridges: most parts that are connected (default: any number)' },
+  'cut-bridges': { about: 'with --bridges: cut the strips, too, after the cut around the connected parts (default: a person separates them)' },
   'shared-cuts': { about: 'cut contours that share cuts, such as parts one kerf apart, together: pierced once, on any machine' },
   'offer-shifts': { value: 'MM', about: 'with a kerf: say which parts would stand one kerf from a neighbour if they were shifted by at most this' },
   'shift-parts': { value: 'MM', about: 'shift these parts, each by at most this' },

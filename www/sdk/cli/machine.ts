@@ -85,9 +85,10 @@ const BRIDGE = 2;
 function withLevers(values: Words['values'], machine: MachineProfile): MachineProfile {
   const [overcut, height, down, speed, reach, again, chain, clearance] = ['moving-pierce', 'lift', 'stay-down', 'z-speed', 'fly', 'fly-overcut', 'chains', 'chain-clearance'].map((option) => number(values, option));
   const [bridge, width, apart, most] = ['bridges', 'bridge-width', 'bridge-clearance', 'bridge-most'].map((option) => number(values, option));
+  const cut = values['cut-bridges'] === true;
   const [offered, moved] = [number(values, 'offer-shifts'), number(values, 'shift-parts')];
   const atRest = values['lift-at-rest'] === true, tips = tipsOf(values, machine), heat = heatOf(values, machine), corners = cornersOf(values, machine);
-  if ([overcut, height, down, speed, reach, again, chain, clearance, tips, heat, corners, offered, moved, bridge, width, apart, most].every((value) => value === undefined) && !atRest && values['edge-starts'] !== true && values['shared-cuts'] !== true) return machine;
+  if ([overcut, height, down, speed, reach, again, chain, clearance, tips, heat, corners, offered, moved, bridge, width, apart, most].every((value) => value === undefined) && !atRest && !cut && values['edge-starts'] !== true && values['shared-cuts'] !== true) return machine;
   const levers = { ...machine.levers };
   if (tips !== undefined) levers.tips = tips;
   if (heat !== undefined) levers.heat = heat;
@@ -107,9 +108,9 @@ function withLevers(values: Words['values'], machine: MachineProfile): MachinePr
   if (chained != null) levers.chains = { ...chained, ...(clearance !== undefined && { clearance }), ...(edges && { edge_starts: true }) };
   // Without a reach, the other options change the machine's own bridges.
   const bridged = bridge === undefined ? levers.bridges : { width: BRIDGE, reach: bridge };
-  const [named] = Object.entries({ 'bridge-width': width, 'bridge-clearance': apart, 'bridge-most': most }).find(([, value]) => value !== undefined) ?? [];
+  const [named] = Object.entries({ 'bridge-width': width, 'bridge-clearance': apart, 'bridge-most': most, 'cut-bridges': cut || undefined }).find(([, value]) => value !== undefined) ?? [];
   if (bridged == null && named !== undefined) throw new WrongUse(`--${named}: the machine does not connect parts. Give the longest bridge with --bridges.`);
-  if (bridged != null) levers.bridges = { ...bridged, ...(width !== undefined && { width }), ...(apart !== undefined && { clearance: apart }), ...(most !== undefined && { most }) };
+  if (bridged != null) levers.bridges = { ...bridged, ...(width !== undefined && { width }), ...(apart !== undefined && { clearance: apart }), ...(most !== undefined && { most }), ...(cut && { cut_later: true }) };
   // Without a height, the other options change the machine's own lift.
   const lifted = height === undefined ? levers.lift : { height };
   if (lifted == null && (down !== undefined || atRest)) throw new WrongUse(`--${atRest ? 'lift-at-rest' : 'stay-down'}: the machine does not lift its head. Give the height with --lift.`);

@@ -313,6 +313,11 @@ export interface Bridges {
   clearance?: number,
   /** Most parts that hang together, a whole number; `null`: any number. */
   most?: number | null,
+  /**
+   * The machine cuts the bridges itself, after the cut around the connected parts: across each strip, along the outlines of both parts.
+   * Otherwise a person separates the parts. Default false.
+   */
+  cut_later?: boolean,
 }
 
 /**

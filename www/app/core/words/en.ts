@@ -287,7 +287,7 @@ export const en = {
     fly: 'Cut rows and grids on the run', reach: 'Longest way between two cuts', flyOvercut: 'Cut each contour again by',
     aboutFly: 'The head does not stop between holes in a row, or along the sides of a grid: the beam goes on and off as it runs. For sheet that is cut through at once, and controllers that switch the beam in motion. What has leads or micro-joints is cut one by one.',
     chains: 'Join contours through waste', chainReach: 'Longest cut through waste', chainClearance: 'Distance from other contours',
-    bridges: 'Connect parts by bridges', bridgeWidth: 'Width of a bridge', bridgeReach: 'Longest bridge', bridgeMost: 'Most parts together',
+    bridges: 'Connect parts by bridges', bridgeWidth: 'Width of a bridge', bridgeReach: 'Longest bridge', bridgeMost: 'Most parts together', cutLater: 'Cut them later',
     aboutBridges: 'Strips of material hold parts together, so that their outlines are pierced once. A person breaks them.',
     edgeStarts: 'Begin on kerfs and at the edge of the sheet, too',
     shared: 'Cut shared sides together', shift: 'Say which parts to shift by up to', shiftParts: 'Shift them', aboutShared: 'For parts one kerf apart: pierced once and cut as one. Where the beam begins again on their kerfs, it does not pierce.',
