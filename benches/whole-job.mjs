@@ -32,6 +32,9 @@ const NESTS = 20;
 const CHAINS = { levers: { chains: { reach: 100 } } };
 /** The same, also from elsewhere on the kerf of the last contour. */
 const EDGES = { levers: { chains: { reach: 100, edge_starts: true } } };
+/** Strips of any length between parts, which a person separates, or which are cut later. */
+const BRIDGES = { width: 2, reach: 100 };
+const BRIDGED = { bridges: { levers: { bridges: BRIDGES } }, 'bridges, cut later': { levers: { bridges: { ...BRIDGES, cut_later: true } } } };
 /** What shares cuts is pierced once. */
 const SHARED = { levers: { common_cuts: {} } };
 /** mm: what a fibre laser cuts in thick plate. */
@@ -41,16 +44,17 @@ const MACHINES = { kerfed: { kerf_width: KERF } };
 /** What each lever sets, by machine. */
 const LEVERS = {
   // 1 mm sheet is through after some milliseconds: at this acceleration within half a millimetre.
-  'fibre-3kw-thin': { 'moving pierce': { levers: { moving_pierce: { overcut: 0.5 } } }, fly: { levers: { fly: { reach: 20, overcut: 0.5 } } }, chains: CHAINS, 'chains, edge starts': EDGES, 'common cuts': SHARED },
+  'fibre-3kw-thin': { 'moving pierce': { levers: { moving_pierce: { overcut: 0.5 } } }, fly: { levers: { fly: { reach: 20, overcut: 0.5 } } }, chains: CHAINS, 'chains, edge starts': EDGES, ...BRIDGED, 'common cuts': SHARED },
   // Acrylic is cut at a speed at which the beam is through at once.
-  'co2-100w': { 'moving pierce': { levers: { moving_pierce: { overcut: 1 } } }, fly: { levers: { fly: { reach: 20, overcut: 1 } } }, chains: CHAINS, 'chains, edge starts': EDGES, 'common cuts': SHARED },
+  'co2-100w': { 'moving pierce': { levers: { moving_pierce: { overcut: 1 } } }, fly: { levers: { fly: { reach: 20, overcut: 1 } } }, chains: CHAINS, 'chains, edge starts': EDGES, ...BRIDGED, 'common cuts': SHARED },
   // No piercing and no delays: nothing to save.
   'diode-hobby': {},
   // Plate is pierced at rest.
-  'fibre-6kw-thick': { chains: CHAINS, 'chains, edge starts': EDGES, 'common cuts': SHARED },
+  'fibre-6kw-thick': { chains: CHAINS, 'chains, edge starts': EDGES, ...BRIDGED, 'common cuts': SHARED },
 };
-/** Levers that a machine has not together with the others: what begins moving is not pierced, so that chains have nothing to save. */
-const APART = { 'fibre-6kw-thick': ['chains'], 'fibre-3kw-thin': ['chains', 'chains, edge starts'], 'co2-100w': ['chains', 'chains, edge starts'] };
+/** Levers that a machine has not together with the others: what begins moving is not pierced, so that chains have nothing to save, and connected parts
+ * are not cut on the run. */
+const APART = { 'fibre-6kw-thick': ['chains', ...Object.keys(BRIDGED)], 'fibre-3kw-thin': ['chains', 'chains, edge starts', ...Object.keys(BRIDGED)], 'co2-100w': ['chains', 'chains, edge starts', ...Object.keys(BRIDGED)] };
 const PLATES = [['round', 20], ['round', 100], ['staggered', 20], ['slots', 20]];
 /** Tables of one machine each. */
 const TABLES = { tips, heat, joint };

@@ -70,8 +70,3 @@ pub(super) fn bridged(sheet: &Sheet, machine: &Profile, findings: &mut Vec<Findi
     });
     bridged
 }
-
-/// The sheet, already with the paths of the beam, with the cuts through its bridges; `None` if the machine makes none.
-pub(super) fn with_cuts(sheet: &Sheet, machine: &Profile) -> Option<Sheet> {
-    if PLANS_ALL_LEVERS { sheet.with_bridge_cuts(machine) } else { None }
-}

@@ -200,7 +200,10 @@ impl Job {
         bridges::check(&self.sheet, profile)?;
         self.drop_run();
         let mut findings = self.compensate(&placed.profile);
-        self.beam_sheet = bridges::with_cuts(self.beam_sheet(), &placed.profile).or(self.beam_sheet.take());
+        if PLANS_ALL_LEVERS {
+            let divided = self.beam_sheet().with_bridge_cuts(&placed.profile);
+            self.beam_sheet = divided.or(self.beam_sheet.take());
+        }
         let skeleton = self.beam_sheet().with_skeleton(&placed.seen_from_drawing()).map_err(|fault| {
             let message = format!("Skeleton cuts are not possible: {fault}.");
             FieldError::new(Fault::Contradiction, "machine.skeleton", message)

@@ -88,7 +88,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         let passes = sheet.passes_at_once(known, &problem.machine);
         let moving =
             item.is_none_or(|i| i.joints.is_none()) && starts_moving(sheet, &problem.machine, known, lead);
-        let on_kerf = begins_on_kerf(sheet, &problem.machine, &problem.items, known);
+        let on_kerf = PLANS_ALL_LEVERS && begins_on_kerf(sheet, &problem.machine, &problem.items, known);
         let start = match (moving, known.is_mark()) {
             _ if on_kerf => None,
             _ if resumed || link.is_some() || approach.is_some() || begins.is_some() => None,

@@ -131,7 +131,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
         }
         let may_move = joints.is_none();
         let (fixed, run) = seconds(sheet, machine, contour, passes, may_move);
-        let on_kerf = begins_on_kerf(sheet, machine, &items, contour);
+        let on_kerf = PLANS_ALL_LEVERS && begins_on_kerf(sheet, machine, &items, contour);
         let fixed = if on_kerf { fixed - f64::from(passes) * machine.pierce_time } else { fixed };
         items.push(Item {
             nodes: first..count(&nodes),
@@ -253,8 +253,11 @@ fn groups(sheet: &Sheet) -> Groups {
 /// The order that sequences ask for, and the cuts through bridges after the cut around the connected parts, between items.
 fn pairs(sheet: &Sheet, joined: &PierceGroups) -> Vec<(ItemId, ItemId)> {
     let items = |(a, b): (u32, u32)| (joined.stands_for(a), joined.stands_for(b));
-    let all = sheet.in_turn().into_iter().chain(sheet.cut_apart());
-    let mut pairs: Vec<_> = all.map(items).filter(|(a, b)| a != b).collect();
+    let mut all = sheet.in_turn();
+    if PLANS_ALL_LEVERS {
+        all.extend(sheet.cut_apart());
+    }
+    let mut pairs: Vec<_> = all.into_iter().map(items).filter(|(a, b)| a != b).collect();
     sort_by(&mut pairs, |&(a, b)| [a.into(), b.into(), 0]);
     pairs.dedup();
     pairs

@@ -30,8 +30,8 @@ pub(super) fn seconds(
     let mut all = vec![Seconds::default(); parts + 1];
     let owner = |contour: u32| {
         let last = document.last_pass(contour);
-        let completes = document.contours.get(last as usize).and_then(|c| c.completes());
-        let last = completes.unwrap_or(last);
+        let known = document.contours.get(last as usize).filter(|_| PLANS_ALL_LEVERS);
+        let last = known.and_then(|c| c.completes()).unwrap_or(last);
         part_of.get(last as usize).copied().flatten().unwrap_or(parts)
     };
     let machine = &document.machine;

@@ -23,7 +23,7 @@ const LEAVES: f64 = 1e-4;
 
 /// The moves that may cut through a bridge without piercing, in order.
 pub(super) fn on_kerfs(sheet: &Sheet, plan: &Plan) -> Vec<usize> {
-    if !PLANS_ALL_LEVERS || sheet.bridged.is_empty() {
+    if sheet.bridged.is_empty() {
         return Vec::new();
     }
     let contour = |id: u32| sheet.contours.get(id as usize);

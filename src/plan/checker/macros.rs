@@ -7,7 +7,7 @@ use super::groups::Groups;
 use super::tolerance::JOIN;
 use super::violation::Violation;
 use crate::geometry::{Segment, math};
-use crate::machine::{MARGIN, Profile};
+use crate::machine::{MARGIN, PLANS_ALL_LEVERS, Profile};
 use crate::plan::model::{Leads, Move, Turn};
 use std::borrow::Cow;
 use std::f64::consts::PI;
@@ -44,7 +44,9 @@ pub(super) fn joined<'p>(
                 let corner = match (out.last().map(|o| o.1.as_ref()), path.first()) {
                     (Some(before @ Move::Cut { path, mark: false, .. }), Some(next)) => {
                         // Otherwise the beam goes off between them.
-                        path.last().zip(Some(next)).filter(|_| goes_on(before, *contour, groups))
+                        path.last()
+                            .zip(Some(next))
+                            .filter(|_| !PLANS_ALL_LEVERS || goes_on(before, *contour, groups))
                     }
                     _ => None,
                 };

@@ -59,7 +59,7 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     let mut groups = Groups::new(sheet, machine, plan);
     let mut flown = Flown::new(sheet, plan);
     let starts = SkeletonStarts::new(sheet, machine, plan);
-    let through = bridge_cuts::on_kerfs(sheet, plan);
+    let through = if PLANS_ALL_LEVERS { bridge_cuts::on_kerfs(sheet, plan) } else { Vec::new() };
     follow(&mut visits, &mut groups, (&mut flown, &starts, &through), sheet, machine, plan, &mut found);
     pre_cuts(machine, plan, &mut found);
     visits.finish(|c| groups.holds(c) || flown.holds(c) || starts.hold(c), &mut found);
@@ -263,7 +263,7 @@ fn follow(
                 }
                 let over_joint = after_joint.is_some_and(|(_, flying)| flying);
                 let on = pierced || over_joint || runs_on || chained;
-                let on_kerf = starts.allow(step) || through.binary_search(&step).is_ok();
+                let on_kerf = starts.allow(step) || PLANS_ALL_LEVERS && through.binary_search(&step).is_ok();
                 let ready = *mark || on || on_kerf || (resumed && visits.is_ready(*contour));
                 let goes_on = before.is_some_and(|b| groups.same(b, *contour));
                 let begun = pierced || goes_on;

@@ -29,8 +29,10 @@ pub(super) fn check(
     let mut rank = own.clone();
     let mut nested = nesting::pairs(sheet);
     // A cut through a bridge lies in the piece that it divides, and comes after the cut around that.
-    let apart = apart(sheet);
-    nested.retain(|&(inner, outer)| apart.binary_search(&(outer, inner)).is_err());
+    let apart = if PLANS_ALL_LEVERS { apart(sheet) } else { Vec::new() };
+    if PLANS_ALL_LEVERS {
+        nested.retain(|&(inner, outer)| apart.binary_search(&(outer, inner)).is_err());
+    }
     for &(inner, outer) in &nested {
         let (i, o) = (inner as usize, outer as usize);
         // An outer contour waits for what lies inside it, whatever its layer.
@@ -42,7 +44,7 @@ pub(super) fn check(
             found.push(Violation::CutFree { outer, inner });
         }
     }
-    for (around, through) in apart {
+    for (around, through) in apart.into_iter().filter(|_| PLANS_ALL_LEVERS) {
         rank[through as usize] = rank[through as usize].max(rank[around as usize]);
     }
 
@@ -71,7 +73,7 @@ pub(super) fn check(
 fn apart(sheet: &Sheet) -> Vec<(u32, u32)> {
     let around = |outline: u32| sheet.contours.get(outline as usize).and_then(|c| c.bridged);
     let all = (0..).zip(&sheet.contours).filter_map(|(id, c)| Some((around(c.completes()?)?, id)));
-    let mut all: Vec<(u32, u32)> = if PLANS_ALL_LEVERS { all.collect() } else { Vec::new() };
+    let mut all: Vec<(u32, u32)> = all.collect();
     sort_by(&mut all, |&(a, b)| [a.into(), b.into(), 0]);
     all
 }
