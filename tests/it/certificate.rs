@@ -255,6 +255,21 @@ fn a_certificate_by_walks_is_verified() {
     }
 }
 
+/// Between the contours whose orders are all looked at and those for which only shares are left, there are walks as well.
+#[test]
+fn more_than_128_contours_have_certificates_by_walks() {
+    let drawing = grid(13, 10);
+    let (text, seconds) = written(&drawing, &on("length"), 400_000_000);
+    assert!(text.contains("\"company\":") && fits_the_schema(&text));
+    let proven = verified(&text, &drawing, None).unwrap();
+    assert!(proven <= seconds && proven >= seconds * (1.0 - 1e-6), "{proven} of {seconds}");
+    let mut job = Job::load(drawing, "grid.dxf", &LoadOptions::default()).unwrap();
+    job.start(&on("length")).unwrap();
+    job.run_mut().unwrap().step(300_000);
+    let total = job.plan().unwrap().summary.total_time;
+    assert!(proven <= total && proven > 0.8 * total, "{proven} of {total}");
+}
+
 /// Whoever changes a number and seals the file again gets no more than the numbers prove.
 #[test]
 fn a_changed_number_proves_no_more() {

@@ -1,6 +1,7 @@
 // The certificate of the lower bound: `kerfway plan --certificate`, and `kerfway verify`.
 
 import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { it } from 'node:test';
@@ -44,6 +45,31 @@ it('the same seed and work give the same certificate, which fits its schema', as
   const schema = JSON.parse(readFileSync(join(ROOT, 'www', 'sdk', 'certificate.schema.json'), 'utf8'));
   const valid = new Ajv2020({ strict: false }).compile(schema);
   assert.ok(valid(JSON.parse(text)), JSON.stringify(valid.errors));
+  // Of few contours walks prove more than shares.
+  assert.deepEqual(Object.keys(JSON.parse(text).travel), ['unit', 'knots', 'near', 'company', 'charges', 'cuts', 'bound']);
+});
+
+it('a certificate by shares of an earlier version is verified', async (t) => {
+  const at = workshop(t);
+  const circles = Array.from({ length: 12 }, (_, k) => [25 + 30 * (k % 4), 20 + 31 * Math.floor(k / 4), 4 + ((3 * (k % 4) + 5 * Math.floor(k / 4)) % 7)]);
+  const entities = circles.map(([x, y, r]) => `0\nCIRCLE\n8\n0\n10\n${x}\n20\n${y}\n40\n${r}\n`).join('');
+  writeFileSync(at('grid.dxf'), `0\nSECTION\n2\nENTITIES\n${entities}0\nENDSEC\n0\nEOF\n`);
+  const { code, stdout, stderr } = await kerfway('verify', join(ROOT, 'tests', 'fixtures', 'certificates', 'shares.json'), at('grid.dxf'), '--machine', 'length');
+  assert.equal(code, 0, stderr);
+  assert.match(stdout, /^Proven: no plan of grid\.dxf on length takes less than 822\.265 s/);
+});
+
+it('a certificate whose check would take too long is refused in a sentence', async (t) => {
+  const at = workshop(t);
+  await certified(at);
+  const file = JSON.parse(readFileSync(at('plate.certificate.json'), 'utf8'));
+  const { travel } = file;
+  travel.knots = travel.knots.map((knots) => (knots.length === 0 ? [] : Array.from({ length: 1000 }, (_, k) => (k * 20) / 1000)));
+  const sealed = (sha256) => JSON.stringify({ ...file, sha256 });
+  writeFileSync(at('slow.json'), sealed(createHash('sha256').update(sealed('')).digest('hex')));
+  const { code, stderr } = await kerfway('verify', at('slow.json'), at('plate.dxf'));
+  assert.equal(code, 1);
+  assert.match(stderr, /slow\.json proves nothing: The certificate has more legs between knots than are checked\.\n$/);
 });
 
 it('work on the bound does not change the plan', async (t) => {

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 /// Most numbers in a row of values, and in all tables of legs: 32 and 128 MB.
 const MOST_WIDTH: usize = 4_000_000;
 const MOST_LEGS: usize = 16_000_000;
-/// Most sums: about half a minute in wasm.
+/// Most sums: about twenty seconds in wasm.
 const MOST_WORK: u128 = 20_000_000_000;
 /// No walk comes here. Values of walks are less than half of it, whatever the numbers of the certificate are.
 const NONE: i64 = 1 << 62;
