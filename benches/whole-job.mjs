@@ -1,14 +1,14 @@
 // Seconds of whole jobs: what the search and each lever of docs/levers.md save against the nearest-next path with holes first on
 // the same preset without levers:
 //
-//     npm run bench -- whole-job [drawings|sheets|nests|kerfed|bordered|plates|tips|heat|joint]... [--moves N] [--seconds S] [--seeds K] [--preset NAME] [--only NAME] [--data FOLDER]
+//     npm run bench -- whole-job [drawings|sheets|nests|pierced|kerfed|bordered|plates|tips|heat|joint]... [--moves N] [--seconds S] [--seeds K] [--preset NAME] [--only NAME] [--data FOLDER]
 //
 // `tips` is the table of docs/tips.md: what avoiding tipped pieces costs on the four sheets, against lifting the head for every move.
 // `heat` is that of docs/heat.md: what keeping cuts apart costs, against a path that was found without it and waits afterwards.
 // `joint` compares the search that knows leads, or pieces that tip, with "plan, then attach leads" and "plan, then avoid or lift", with as much processor
 // time each: `--seconds` a search on sheets (default 5), a fifth of that on nests, `--seeds` of them (default 5).
 // Drawings are those of tests/fixtures/dxf-dev, and of `FOLDER/dxf-dev` with `--data FOLDER`; sheets are those of benches/data;
-// nests are parts side by side, with a hole each, `kerfed` are nests one kerf of 0.3 mm apart on machines with that kerf, and `bordered` are nests whose sheet is
+// nests are parts side by side, with a hole each, `pierced` are the same in plate whose piercing takes 3 s, `kerfed` are nests one kerf of 0.3 mm apart on machines with that kerf, and `bordered` are nests whose sheet is
 // drawn 10 mm around them; plates are perforated ones that benches/solve/grids.mjs draws. Budgets are in moves, so the figures do not depend on the
 // machine's load. Every plan is checked.
 
@@ -40,7 +40,7 @@ const SHARED = { levers: { common_cuts: {} } };
 /** mm: what a fibre laser cuts in thick plate. */
 const KERF = 0.3;
 /** What all machines of a set have. */
-const MACHINES = { kerfed: { kerf_width: KERF } };
+const MACHINES = { kerfed: { kerf_width: KERF }, pierced: { pierce_time: 3 } };
 /** What each lever sets, by machine. */
 const LEVERS = {
   // 1 mm sheet is through after some milliseconds: at this acceleration within half a millimetre.
@@ -58,10 +58,12 @@ const APART = { 'fibre-6kw-thick': ['chains', ...Object.keys(BRIDGED)], 'fibre-3
 const PLATES = [['round', 20], ['round', 100], ['staggered', 20], ['slots', 20]];
 /** Tables of one machine each. */
 const TABLES = { tips, heat, joint };
+const nests = ({ only = '' }) => [['rectangles', 10], ['discs', 10]].filter(([name, side]) => `${name}_${side * side}`.includes(only)).map(([name, side]) => nest(name, side));
 const SETS = {
   drawings: ({ data, only }) => drawings([join(ROOT, 'tests', 'fixtures', 'dxf-dev'), ...(data ? [join(data, 'dxf-dev')] : [])], only),
   sheets: ({ instances, only = '' }) => [100, 500, 2000].map((n) => `sheets/sheet_${n}.dxf`).filter((f) => f.includes(only)).map((f) => instances.file(f)),
-  nests: ({ only = '' }) => [['rectangles', 10], ['discs', 10]].filter(([name, side]) => `${name}_${side * side}`.includes(only)).map(([name, side]) => nest(name, side)),
+  nests,
+  pierced: nests,
   kerfed: ({ only = '' }) => [['rectangles', 4], ['rectangles', 10]].filter(([name, side]) => `${name}_${side * side}`.includes(only)).map(([name, side]) => nest(name, side, KERF)),
   bordered: ({ only = '' }) => [['rectangles', 4], ['rectangles', 10]].filter(([name, side]) => `${name}_${side * side}`.includes(only)).map(([name, side]) => nest(name, side, 8, 10)),
   plates: ({ only = '' }) => PLATES.filter(([name, side]) => `${name}_${side * side}`.includes(only)).map(([name, side]) => drawn(name, side)),
@@ -87,7 +89,7 @@ export async function bench(args) {
     }
     const files = SETS[name](options);
     for (const preset of presets) whole(name, preset, files, moves);
-    if (['plates', 'nests', 'kerfed', 'bordered'].includes(name)) for (const file of files) rmSync(dirname(file), { recursive: true });
+    if (['plates', 'nests', 'pierced', 'kerfed', 'bordered'].includes(name)) for (const file of files) rmSync(dirname(file), { recursive: true });
   }
 }
 
