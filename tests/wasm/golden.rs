@@ -42,6 +42,7 @@ const PLANS: &[(&str, &str)] = &[
     ("corners-not-stopped-in", include_str!("../golden/corners-not-stopped-in.json")),
     ("heat-charged", include_str!("../golden/heat-charged.json")),
     ("bridges", include_str!("../golden/bridges.json")),
+    ("bridges-cut-later", include_str!("../golden/bridges-cut-later.json")),
 ];
 
 fn named<T: Copy>(list: &[(&str, T)], name: &str) -> T {
