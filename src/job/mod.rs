@@ -155,7 +155,7 @@ impl Job {
         let sheet = self.beam_sheet.as_ref()?;
         let none = Path::default();
         let paths = (0..).zip(&sheet.contours).map(|(id, c)| {
-            let elsewhere = c.path.closed && c.bridged.is_some_and(|root| root != id);
+            let elsewhere = PLANS_ALL_LEVERS && c.path.closed && c.bridged.is_some_and(|root| root != id);
             if elsewhere { &none } else { &c.path }
         });
         Some((report::contours(sheet), Geometry::of(paths)))
