@@ -339,7 +339,7 @@ export const de: Words = {
     aboutFly: 'Der Kopf hält zwischen Löchern einer Reihe und an den Seiten eines Rasters nicht an: der Strahl geht während der Fahrt an und aus. Für Blech, das sofort durchgeschnitten ist, und Steuerungen, die den Strahl in Bewegung schalten. Was Anfahrten oder Mikrostege hat, wird einzeln geschnitten.',
     chains: 'Konturen durch den Abfall verbinden', chainReach: 'Längster Schnitt durch den Abfall', chainClearance: 'Abstand von anderen Konturen',
     bridges: 'Teile durch Brücken verbinden', bridgeWidth: 'Breite einer Brücke', bridgeReach: 'Längste Brücke', bridgeMost: 'Höchstens so viele Teile zusammen', cutLater: 'Später durchschneiden',
-    aboutBridges: 'Teile hängen an Stegen aus Material zusammen, die ein Mensch trennt, und für ihre Umrisse wird einmal eingestochen. Das ist nur dort kürzer, wo Einstechen lange dauert.',
+    aboutBridges: 'Teile hängen an Stegen aus Material zusammen, und für ihre Umrisse wird einmal eingestochen. Das ist nur dort kürzer, wo Einstechen lange dauert.',
     edgeStarts: 'Auch in Schnitten und am Rand der Tafel beginnen',
     shared: 'Gemeinsame Seiten zusammen schneiden', shift: 'Verschiebbare Teile nennen, bis zu', shiftParts: 'Diese Teile verschieben', aboutShared: 'Für Teile mit einem Schnittspalt Abstand: einmal eingestochen und als eines geschnitten. Wo der Strahl in ihren Schnitten neu beginnt, sticht er nicht ein.',
     aboutChains: 'Vom Ende einer Kontur schneidet der Strahl gerade durch den Abfall zur nächsten, wo das schneller ist als ausschalten, fahren und einstechen. Am meisten gewinnen Teile, die Ecke an Ecke liegen.',

@@ -339,7 +339,7 @@ export const es: Words = {
     aboutFly: 'El cabezal no se detiene entre los agujeros de una fila ni a lo largo de los lados de una cuadrícula: el haz se enciende y se apaga en marcha. Para chapa que se atraviesa al instante y controladores que conmutan el haz en movimiento. Lo que tiene entradas o microuniones se corta de uno en uno.',
     chains: 'Unir contornos por el material sobrante', chainReach: 'Corte más largo por el sobrante', chainClearance: 'Distancia a otros contornos',
     bridges: 'Unir piezas con puentes', bridgeWidth: 'Ancho de un puente', bridgeReach: 'Puente más largo', bridgeMost: 'Máximo de piezas unidas', cutLater: 'Cortarlos después',
-    aboutBridges: 'Las piezas quedan unidas por tiras de material, que una persona rompe, y sus contornos se perforan una vez. Solo ahorra tiempo donde perforar tarda mucho.',
+    aboutBridges: 'Las piezas quedan unidas por tiras de material, y sus contornos se perforan una vez. Solo ahorra tiempo donde perforar tarda mucho.',
     edgeStarts: 'Empezar también en cortes hechos y en el borde de la chapa',
     shared: 'Cortar juntos los lados comunes', shift: 'Indicar piezas que se podrían desplazar hasta', shiftParts: 'Desplazarlas', aboutShared: 'Para piezas a un ancho de corte de distancia: se perforan una vez y se cortan como una. Donde el haz vuelve a empezar en sus cortes, no perfora.',
     aboutChains: 'Desde el final de un contorno el haz corta en línea recta por el material sobrante hasta el siguiente, donde eso es más rápido que apagar, desplazarse y perforar. Ganan más las piezas que están esquina con esquina.',

@@ -336,7 +336,7 @@ export const zh: Words = {
     aboutFly: '切割头在一行孔之间以及沿网格各边不停顿：光束在运动中开关。适用于立即切透的板，以及能在运动中开关光束的控制器。带引线或微连接的轮廓逐个切割。',
     chains: '穿过废料连接轮廓', chainReach: '穿过废料的最长切割', chainClearance: '与其他轮廓的距离',
     bridges: '用连桥连接零件', bridgeWidth: '连桥宽度', bridgeReach: '连桥最大长度', bridgeMost: '最多连接的零件数', cutLater: '之后切断连桥',
-    aboutBridges: '零件由材料条相连，由人工分开，其外形只穿孔一次。只有穿孔耗时长时才更快。',
+    aboutBridges: '零件由材料条相连，其外形只穿孔一次。只有穿孔耗时长时才更快。',
     edgeStarts: '也可从已有切缝和板材边缘开始',
     shared: '共用边一起切割', shift: '指出可移动的零件，最多', shiftParts: '移动这些零件', aboutShared: '用于相距一个切缝的零件：只穿孔一次，作为整体切割。光束在其切缝上重新开始时不再穿孔。',
     aboutChains: '从一个轮廓的终点，光束直线穿过废料切到下一个轮廓，只在比关光、移动和穿孔更快的地方。角对角排列的零件获益最多。',
