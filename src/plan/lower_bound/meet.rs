@@ -2,15 +2,7 @@
 
 use super::charges::Charges;
 use super::space::remembered;
-use super::walks::{Ground, Pass};
-
-/// A stop of a walk.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Visit {
-    pub(super) item: usize,
-    /// The knot where it arrives.
-    pub(super) knot: usize,
-}
+use super::walks::{Ground, Pass, Visit};
 
 /// A walk, and what it takes with charges.
 #[derive(Clone, Debug)]

@@ -63,7 +63,7 @@
 mod certificate;
 mod charges;
 mod cheap;
-#[cfg(feature = "research")]
+mod gather;
 mod halving;
 mod meet;
 mod minorant;
@@ -71,6 +71,7 @@ mod net;
 mod order;
 mod orders;
 mod pairs;
+mod places;
 #[cfg(feature = "research")]
 mod postman;
 #[cfg(feature = "research")]

@@ -10,6 +10,14 @@ use super::pairs::{Pairs, box_seconds};
 use super::prices::Prices;
 use super::space::Space;
 
+/// A stop of a walk.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Visit {
+    pub(super) item: usize,
+    /// The knot where it arrives.
+    pub(super) knot: usize,
+}
+
 /// The data of the walks.
 #[derive(Clone, Debug)]
 pub(super) struct Ground {
@@ -156,6 +164,21 @@ impl Ground {
     pub(super) fn gap(&self, from: usize, to: usize) -> f64 {
         let (a, b) = (self.items[from].around, self.items[to].around);
         box_seconds(&self.prices, a.min, a.max, b.min, b.max)
+    }
+
+    /// The pair of two items that has a table, and which of them the first is.
+    pub(super) fn pair(&self, from: usize, to: usize) -> Option<(usize, usize)> {
+        let leads = |&&(e, side): &&(usize, usize)| self.pairs.list[e].items[1 - side] == to;
+        let one_way = |&&(_, side): &&(usize, usize)| side == 0 || !self.prices.directed();
+        self.pairs.of[from].iter().filter(one_way).find(leads).copied()
+    }
+
+    /// What a leg between two knots takes without charges, s.
+    pub(super) fn leg(&self, from: Visit, to: Visit) -> f64 {
+        let Some(pair) = self.pair(from.item, to.item) else { return self.gap(from.item, to.item) };
+        let (table, rows_left) = self.legs(pair);
+        let (row, column) = if rows_left { (from, to) } else { (to, from) };
+        table[row.knot * self.items[column.item].knots + column.knot]
     }
 
     /// The table of a leg, and whether its rows are those of the item left.

@@ -1,7 +1,6 @@
 //! From the last level to the first: what the sets that are left take to the end, the knots in use, and the best orders.
 
-use super::super::meet::Visit;
-use super::super::walks::Ground;
+use super::super::walks::{Ground, Visit};
 use super::{Key, Left, Orders};
 
 impl Orders {

@@ -12,9 +12,8 @@
 mod back;
 
 use super::charges::Charges;
-use super::meet::Visit;
 use super::space::{Space, remembered};
-use super::walks::{Ground, Pass, relax, relax_all};
+use super::walks::{Ground, Pass, Visit, relax, relax_all};
 use std::collections::BTreeMap;
 
 /// Most items: their sets are the bits of a number.

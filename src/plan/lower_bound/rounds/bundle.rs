@@ -7,7 +7,9 @@
 //! it can. So it also shows which faults of walks hold the bound back.
 
 use super::super::charges::{Charges, Cut, HAS_CUTS};
-use super::super::meet::{Found, Visit};
+use super::super::meet::Found;
+use super::super::walks::Visit;
+use super::excess::{crossings, excess};
 
 /// A step is taken when it gains this share of what the model promises.
 const TAKEN: f64 = 0.1;
@@ -26,13 +28,11 @@ const SHORTER: f64 = 0.25;
 struct Known {
     /// Its travel, without charges.
     cost: f64,
-    /// Stops at each item, less one; and for each cut two, less the legs across it.
+    /// What it is charged for, see [`excess`].
     excess: Vec<f64>,
     walk: Vec<Visit>,
     /// Its share of the mixture.
     weight: f64,
-    /// Found in an earlier round: its knots mean nothing any more, and it may take longer than it is known.
-    is_old: bool,
 }
 
 /// The known walks of a round and the charges they lead to.
@@ -44,8 +44,6 @@ pub(super) struct Bundle {
     /// The best charges so far, and their value.
     pub(super) best: Charges,
     pub(super) value: f64,
-    /// The walk with this value.
-    walk: Vec<Visit>,
     /// Length of a step: how far charges move for one stop too many.
     step: f64,
     /// What the model promises beyond the best value.
@@ -61,9 +59,21 @@ impl Bundle {
     /// Begins the next round: those walks stay that are walks still.
     pub(super) fn begin_round(&mut self, is_walk: impl Fn(&[Visit]) -> bool) {
         self.keep(&|k: &Known| is_walk(&k.walk));
-        self.known.iter_mut().for_each(|k| k.is_old = true);
         self.value = f64::NEG_INFINITY;
         self.promised = f64::INFINITY;
+    }
+
+    /// Goes on after pieces were halved. `around`: for each knot of each item the two knots around it before, or twice the same.
+    pub(super) fn halve(&mut self, around: &[Vec<[usize; 2]>]) {
+        for visit in self.known.iter_mut().flat_map(|k| &mut k.walk) {
+            let same = around[visit.item].iter().position(|&knots| knots == [visit.knot; 2]);
+            visit.knot = same.unwrap_or(0);
+        }
+    }
+
+    /// Takes note of what the known walks take with new tables.
+    pub(super) fn price(&mut self, seconds: impl Fn(&[Visit]) -> f64) {
+        self.known.iter_mut().for_each(|k| k.cost = seconds(&k.walk));
     }
 
     /// Takes note of the value of some charges and of walks found with them, and moves the charges. `first`: the first contour.
@@ -89,7 +99,6 @@ impl Bundle {
         if !self.value.is_finite() || gained > TAKEN {
             self.value = value;
             self.best.clone_from(charges);
-            self.walk = found.first().map(|f| f.walk.clone()).unwrap_or_default();
         }
         // No walk takes less than the least one: these took more than was known.
         let least = value - 1e-9 * value.abs();
@@ -127,18 +136,9 @@ impl Bundle {
         self.promised
     }
 
-    /// The walks of the mixture with their shares. `new`: with the walk of the best value in place of those from earlier rounds.
-    pub(super) fn mixture(&self, new: bool) -> Vec<(f64, Vec<Visit>)> {
-        let mut mixture = Vec::new();
-        let mut rest = 1.0;
-        for k in self.known.iter().filter(|k| k.weight > 0.0 && !(new && k.is_old)) {
-            mixture.push((k.weight, k.walk.clone()));
-            rest -= k.weight;
-        }
-        if new {
-            mixture.push((rest.max(0.0), self.walk.clone()));
-        }
-        mixture
+    /// The walks of the mixture with their shares.
+    pub(super) fn mixture(&self) -> Vec<(f64, Vec<Visit>)> {
+        self.known.iter().filter(|k| k.weight > 0.0).map(|k| (k.weight, k.walk.clone())).collect()
     }
 
     /// Goes on without cuts.
@@ -163,7 +163,7 @@ impl Bundle {
             row.push(*p);
         }
         self.products.push(products);
-        self.known.push(Known { cost, excess, walk: found.walk.clone(), weight: 0.0, is_old: false });
+        self.known.push(Known { cost, excess, walk: found.walk.clone(), weight: 0.0 });
     }
 
     /// Forgets the oldest walks that the mixture does not use, if there are too many.
@@ -231,6 +231,9 @@ impl Bundle {
         // The slope of each weight: the value of its walk.
         let mut slopes: Vec<f64> = self.known.iter().map(|k| k.at(&values)).collect();
         let mut work = self.known.len() * way.len();
+        // What each cut is crossed by, one walk after the other.
+        let of_cuts: Vec<Vec<f64>> =
+            (items..way.len()).map(|d| self.known.iter().map(|k| k.excess[d]).collect()).collect();
         for _ in 0..STEPS * self.known.len() {
             work += 3 * self.known.len();
             let (mut low, mut high) = ((f64::INFINITY, 0), (f64::NEG_INFINITY, 0));
@@ -248,8 +251,8 @@ impl Bundle {
             }
             let p = &self.products;
             let [a, b] = [to, from].map(|k| &self.known[k].excess);
-            let of_cuts: f64 = a[items..].iter().zip(&b[items..]).map(|(x, y)| (x - y) * (x - y)).sum();
-            let curve = step * (p[to][to] + p[from][from] - 2.0 * p[to][from] + of_cuts);
+            let by_cuts: f64 = a[items..].iter().zip(&b[items..]).map(|(x, y)| (x - y) * (x - y)).sum();
+            let curve = step * (p[to][to] + p[from][from] - 2.0 * p[to][from] + by_cuts);
             let most = self.known[from].weight;
             let by = if curve > 0.0 { most.min((high.0 - low.0) / curve) } else { most };
             for (slope, (x, y)) in slopes.iter_mut().zip(p[to].iter().zip(&p[from])) {
@@ -261,7 +264,8 @@ impl Bundle {
                 let change = value - values[d];
                 values[d] = value;
                 if HAS_CUTS && d >= items && change != 0.0 {
-                    slopes.iter_mut().zip(&self.known).for_each(|(s, k)| *s += change * k.excess[d]);
+                    work += self.known.len();
+                    slopes.iter_mut().zip(&of_cuts[d - items]).for_each(|(s, e)| *s += change * e);
                 }
             }
             self.known[to].weight += by;
@@ -280,25 +284,4 @@ impl Known {
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
-}
-
-/// Stops at each item, less one; and for each cut two, less the legs of the walk across it.
-fn excess(walk: &[Visit], charges: &Charges, first: usize) -> Vec<f64> {
-    let mut excess = vec![-1.0; charges.items()];
-    excess[..first].fill(0.0);
-    walk.iter().for_each(|v| excess[v.item] += 1.0);
-    if HAS_CUTS {
-        excess.extend(charges.cuts().iter().map(|cut| 2.0 - crossings(walk, cut)));
-    }
-    excess
-}
-
-/// How many legs of a walk cross a cut.
-fn crossings(walk: &[Visit], cut: &Cut) -> f64 {
-    let (mut inside, mut legs) = (false, 0.0);
-    for now in walk.iter().map(|v| cut[v.item]).chain([false]) {
-        legs += if now == inside { 0.0 } else { 1.0 };
-        inside = now;
-    }
-    legs
 }

@@ -5,6 +5,7 @@ mod bundle;
 mod close;
 mod company;
 mod cuts;
+mod excess;
 mod looks;
 #[cfg(feature = "research")]
 mod record;
@@ -13,17 +14,17 @@ mod sharpen;
 mod tests;
 
 use super::charges::Charges;
-use super::meet::Visit;
 use super::net::{homes, items};
 use super::order::Order;
 use super::orders::Orders;
 use super::pairs::{Pairs, Scan};
 use super::prices::Prices;
 use super::space::Space;
-use super::walks::{Ground, Pass};
+use super::walks::{Ground, Pass, Visit};
 use crate::problem::Problem;
 use bundle::Bundle;
 use company::nearest_company;
+use excess::seconds;
 use looks::{LOOKS_AT_ORDERS, Looks};
 #[cfg(feature = "research")]
 pub(super) use record::Record;
@@ -188,6 +189,7 @@ impl Strong {
         if let Some(mut spaces) = spaces {
             spaces.iter_mut().for_each(|s| s.lay_out(|i| ground.items[i].knots));
             ground.spaces = spaces;
+            self.bundle.price(|walk| seconds(walk, ground));
             self.task = if self.looked.has_begun { Task::Orders } else { Task::Row(0) };
         } else if self.full {
             self.task = Task::Nothing;
@@ -227,14 +229,18 @@ impl Strong {
         work += self.bundle.learn(&mut self.charges, value, &found, (self.ground.first, upper));
         if self.best >= upper * (1.0 - self.exact()) {
             self.task = Task::Nothing;
-        } else if self.looks >= MOST_LOOKS || self.bundle.promised() < WORTH * (upper - self.bundle.value) {
-            if let Some(more) = self.separate(upper) {
-                work += more;
-            } else {
+        } else if self.has_settled(upper) {
+            work += self.separate(upper);
+            if self.has_settled(upper) {
                 self.next_round(upper);
             }
         }
         work
+    }
+
+    /// Whether other charges promise next to nothing.
+    fn has_settled(&self, upper: f64) -> bool {
+        self.looks >= MOST_LOOKS || self.bundle.promised() < WORTH * (upper - self.bundle.value)
     }
 
     /// Looks at all orders if few may be left, and begins a round otherwise.
@@ -247,11 +253,11 @@ impl Strong {
     /// Begins a round with more memory where walks went in circles, and halved pieces where legs lost seconds.
     fn sharpen(&mut self, upper: f64) {
         self.company_before.clone_from(&self.ground.company);
-        self.walks = self.bundle.mixture(false);
+        self.walks = self.bundle.mixture();
         let fuller = !self.full && self.remember();
-        self.walks = self.bundle.mixture(true);
+        let nearer = self.give_tables();
         let finer = self.refine(upper);
-        if !(fuller || finer) || self.width() * self.ground.count() / 2 > MOST_NUMBERS {
+        if !(fuller || finer || nearer) || self.width() * self.ground.count() / 2 > MOST_NUMBERS {
             if !self.begin_orders(upper, true) {
                 self.task = Task::Nothing;
             }
@@ -261,7 +267,7 @@ impl Strong {
         let ground = &self.ground;
         self.bundle.begin_round(|walk| ground.is_walk(walk));
         self.looks = 0;
-        self.prepare(finer);
+        self.prepare(finer || nearer);
     }
 
     /// Makes the tables again if there are new knots, and then the states.

@@ -1,11 +1,13 @@
 //! What a round prepares for the next: what walks must remember, and which pieces of contours are halved.
 
-use super::super::meet::Visit;
+use super::super::halving::halved;
 use super::super::net::{Item, Piece};
-use super::super::walks::Ground;
+use super::super::walks::{Ground, Visit};
 use super::Strong;
+use super::excess::legs;
 use crate::geometry::DVec2;
-use crate::order::sort_by;
+use crate::order::{real, sort_by};
+use std::collections::BTreeMap;
 
 /// Largest company of an item: its states may double with each member.
 const MOST_COMPANY: usize = 16;
@@ -18,6 +20,9 @@ const ADDED: f64 = 0.15;
 const LITTLE: f64 = 0.1;
 /// All pieces are halved after a look at all orders when less than this share of them is left, so that they hardly grow more.
 const FEW: f64 = 0.75;
+
+/// Legs between far items that are used less need no table.
+const SELDOM: f64 = 0.05;
 
 impl Strong {
     /// Excludes the shortest faults of the walks, which are cycles and stops out of order: the items between the two stops
@@ -52,14 +57,40 @@ impl Strong {
         added > 0
     }
 
+    /// Gives tables to the pairs of items between which the walks go without one, those most used first. Returns whether there are any.
+    pub(super) fn give_tables(&mut self) -> bool {
+        let ground = &self.ground;
+        let mut far: BTreeMap<[usize; 2], f64> = BTreeMap::new();
+        for (weight, walk) in &self.walks {
+            for [from, to] in legs(walk, ground).map(|leg| leg.map(|v| v.item)) {
+                if ground.pair(from, to).is_none() {
+                    *far.entry([from.min(to), from.max(to)]).or_default() += weight;
+                }
+            }
+        }
+        let mut far: Vec<([usize; 2], f64)> = far.into_iter().filter(|f| f.1 > SELDOM).collect();
+        sort_by(&mut far, |f| [u64::MAX - real(f.1), f.0[0] as u64, f.0[1] as u64]);
+        far.truncate(ground.count() / 2);
+        self.wanted.extend(far.iter().map(|f| f.0));
+        !far.is_empty()
+    }
+
     /// Halves the pieces at knots whose legs in the walks are priced below their real cost. Returns whether there were any.
     pub(super) fn refine(&mut self, upper: f64) -> bool {
         let marks = self.losses(upper);
-        for (item, marked) in self.ground.items.iter_mut().zip(&marks).filter(|m| m.1.contains(&true)) {
-            if let Some(finer) = item.halved(marked) {
+        let same = |item: &Item| (0..item.knots).map(|v| [v; 2]).collect();
+        let around: Vec<Vec<[usize; 2]>> = self
+            .ground
+            .items
+            .iter_mut()
+            .zip(&marks)
+            .map(|(item, marked)| {
+                let Some((finer, around)) = halved(item, marked) else { return same(item) };
                 *item = finer;
-            }
-        }
+                around
+            })
+            .collect();
+        self.bundle.halve(&around);
         marks.iter().flatten().any(|&marked| marked)
     }
 
@@ -85,15 +116,10 @@ impl Strong {
         // The loss at a knot that does not matter.
         let little = LITTLE * (upper - self.best).max(0.0) / ground.count() as f64;
         let mut losses: Vec<Vec<f64>> = ground.items.iter().map(|i| vec![0.0; i.knots]).collect();
-        let home = Visit { item: 0, knot: 0 };
         for (weight, walk) in &self.walks {
-            let mut last = home;
-            for &v in walk.iter().chain(ground.first.eq(&1).then_some(&home)) {
-                let left = if ground.items[last.item].paired { last.knot ^ 1 } else { last.knot };
-                let seconds = weight * lost(ground, last.item, left, v);
-                losses[last.item][left] += seconds;
-                losses[v.item][v.knot] += seconds;
-                last = v;
+            for leg in legs(walk, ground).filter(|leg| leg[1].item != ground.first - 1 || ground.first == 1) {
+                let seconds = weight * lost(ground, leg);
+                leg.iter().for_each(|v| losses[v.item][v.knot] += seconds);
             }
         }
         let marks = |(item, losses): (&Item, &Vec<f64>)| {
@@ -105,14 +131,12 @@ impl Strong {
 }
 
 /// How far a leg between two knots is priced below its real cost, s.
-fn lost(ground: &Ground, item: usize, knot: usize, to: Visit) -> f64 {
-    let pair =
-        ground.pairs.of[item].iter().find(|&&(e, side)| ground.pairs.list[e].items[1 - side] == to.item);
-    let Some(&(e, side)) = pair else { return 0.0 };
-    let (a, b) = (&ground.items[item], &ground.items[to.item]);
-    let table = ground.pairs.table(&ground.pairs.list[e], a.knots * b.knots);
-    let seconds = if side == 0 { table[knot * b.knots + to.knot] } else { table[to.knot * a.knots + knot] };
-    ground.prices.minorant.air().seconds(place(a, knot), place(b, to.knot)) - seconds
+fn lost(ground: &Ground, [from, to]: [Visit; 2]) -> f64 {
+    if ground.pair(from.item, to.item).is_none() {
+        return 0.0;
+    }
+    let places = [from, to].map(|v| place(&ground.items[v.item], v.knot));
+    ground.prices.minorant.air().seconds(places[0], places[1]) - ground.leg(from, to)
 }
 
 fn place(item: &Item, knot: usize) -> DVec2 {

@@ -37,10 +37,10 @@ impl ShareBound {
             let later = of[b].iter().filter(|c| of[a].binary_search(c).is_err());
             for &c in of[a].iter().chain(later) {
                 let cut = &self.cuts[c];
-                if !cut.may_cross(pair.items) {
+                if !cut.places.may_cross(pair.items) {
                     continue;
                 }
-                let [x, y] = pair.items.map(|k| cut.of(k));
+                let [x, y] = pair.items.map(|k| cut.places.of(k));
                 // The price of a leg from outside, and from inside.
                 price.clear();
                 price.extend((0..m).map(|j| if y.holds(j) { cut.price } else { 0.0 }));
@@ -59,7 +59,7 @@ impl ShareBound {
     fn priced_cuts(&self) -> Vec<Vec<usize>> {
         let mut of: Vec<Vec<usize>> = vec![Vec::new(); self.items.len()];
         for (c, cut) in self.cuts.iter().enumerate().filter(|c| c.1.price > 0.0) {
-            cut.held.iter().for_each(|h| of[h.0].push(c));
+            cut.places.held.iter().for_each(|h| of[h.0].push(c));
         }
         of
     }
@@ -72,7 +72,7 @@ impl ShareBound {
         let least: Vec<(f64, f64)> = (0..self.items.len()).map(|k| self.least(&shares, k)).collect();
         let far = far(&least);
         let stars: f64 = least.iter().map(|l| l.0).sum();
-        let cuts: f64 = self.cuts.iter().filter(|c| c.visited.is_none()).map(|c| c.price).sum();
+        let cuts: f64 = self.cuts.iter().filter(|c| c.places.visited.is_none()).map(|c| c.price).sum();
         let missing = self.missing(&far);
         let lost: f64 = missing.iter().map(|m| m.1).sum();
         for (ends, _) in &missing {
@@ -141,7 +141,7 @@ impl ShareBound {
         }
         let mut most = far.to_vec();
         for cut in &self.cuts {
-            cut.held.iter().for_each(|h| most[h.0] += cut.price);
+            cut.places.held.iter().for_each(|h| most[h.0] += cut.price);
         }
         let of = self.priced_cuts();
         let mut known = vec![usize::MAX; count];
@@ -156,7 +156,7 @@ impl ShareBound {
                 if seconds < most[a] + most[b] {
                     let later = of[b].iter().filter(|c| of[a].binary_search(c).is_err());
                     let cuts = of[a].iter().chain(later).map(|&c| &self.cuts[c]);
-                    let crossing: f64 = cuts.filter(|c| c.may_cross([a, b])).map(|c| c.price).sum();
+                    let crossing: f64 = cuts.filter(|c| c.places.may_cross([a, b])).map(|c| c.price).sum();
                     let lost = far[a] + far[b] + crossing - seconds;
                     if lost > 0.0 {
                         missing.push(([a, b], lost));
@@ -204,9 +204,9 @@ fn priced(cut: &Cut, price: i64) -> PricedCut {
         Some(Part { item: *item, knots: held.iter().enumerate().filter(|v| *v.1).map(|v| v.0).collect() })
     };
     PricedCut {
-        members: cut.held.iter().filter(|h| h.1.is_none()).map(|h| h.0).collect(),
-        parts: cut.held.iter().filter_map(part).collect(),
-        visited: cut.visited,
+        members: cut.places.held.iter().filter(|h| h.1.is_none()).map(|h| h.0).collect(),
+        parts: cut.places.held.iter().filter_map(part).collect(),
+        visited: cut.places.visited,
         price,
     }
 }

@@ -54,14 +54,7 @@ impl ShareBound {
             around.push(of);
             *item = finer;
         }
-        for cut in &mut self.cuts {
-            for (k, held) in &mut cut.held {
-                // A new knot between one inside and one outside is outside.
-                if let Some(knots) = held {
-                    *knots = around[*k].iter().map(|[v, w]| knots[*v] && knots[*w]).collect();
-                }
-            }
-        }
+        self.cuts.iter_mut().for_each(|cut| cut.places.halve(&around));
         self.lay_out();
         let mut pairs = Pairs::new(self.items.len());
         let mut shares = Vec::new();

@@ -1,7 +1,8 @@
 //! A step of the smooth problem: how often items want their legs, how often legs want to be used, and the shares that bring
 //! both together.
 
-use super::cut::{Held, Leg};
+use super::super::places::Held;
+use super::cut::Leg;
 use super::powers::{exp, ln};
 use super::{Kind, ShareBound};
 
@@ -50,16 +51,16 @@ impl ShareBound {
                 (std::mem::take(&mut cut.pairs), std::mem::take(&mut cut.crossing));
             whole.clear();
             crossing.clear();
-            for &(k, _) in &cut.held {
+            for &(k, _) in &cut.places.held {
                 for &(e, side) in &self.pairs.of[k] {
                     let ends = self.pairs.list[e].items;
                     let other = ends[1 - side];
                     // A pair of which both items are held is looked at once.
-                    let twice = other < k && cut.held.binary_search_by(|h| h.0.cmp(&other)).is_ok();
-                    if twice || !cut.may_cross(ends) {
+                    let twice = other < k && cut.places.held.binary_search_by(|h| h.0.cmp(&other)).is_ok();
+                    if twice || !cut.places.may_cross(ends) {
                         continue;
                     }
-                    let [x, y] = ends.map(|k| cut.of(k));
+                    let [x, y] = ends.map(|k| cut.places.of(k));
                     if matches!((x, y), (Held::All, Held::None) | (Held::None, Held::All)) {
                         whole.push(u32::try_from(e).unwrap_or(u32::MAX));
                         continue;
@@ -124,8 +125,8 @@ impl ShareBound {
                 crossed += self.uses[l] * self.crossed[l];
             }
             cut.legs = legs;
-            if cut.visited.is_some() {
-                cut.target = 2.0 * cut.visited_knots().map(|(k, v)| self.stay[self.base[k] + v]).sum::<f64>();
+            if cut.places.visited.is_some() {
+                cut.target = 2.0 * cut.places.visited_knots().map(|(k, v)| self.stay[self.base[k] + v]).sum::<f64>();
             }
             let fault = ln(cut.target.max(FEW)) - ln(cut.legs.max(FEW));
             let by = by * (legs.max(FEW) / crossed.max(FEW)).min(1.0).sqrt();
@@ -137,7 +138,7 @@ impl ShareBound {
     pub(super) fn price_stops(&mut self) {
         self.pay.fill(0.0);
         for cut in self.cuts.iter().filter(|c| c.price > 0.0) {
-            cut.visited_knots().for_each(|(k, v)| self.pay[self.base[k] + v] += 2.0 * cut.price);
+            cut.places.visited_knots().for_each(|(k, v)| self.pay[self.base[k] + v] += 2.0 * cut.price);
         }
     }
 
