@@ -114,7 +114,7 @@ fn sheets_with_cuts_and_far_contours() {
             assert!(bound.improve(100_000_000, 1.5 * cost), "there are cuts");
         }
         // Their prices settle.
-        bound.improve(500_000_000, 1.5 * cost);
+        bound.improve(1_000_000_000, 1.5 * cost);
         let certificate = bound.certificate(&problem, f64::NEG_INFINITY).unwrap();
         let near: usize = certificate.near.iter().map(Vec::len).sum();
         assert!(near < problem.items.len() * problem.items.len() / 3);

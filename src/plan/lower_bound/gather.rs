@@ -223,3 +223,42 @@ impl<'i> Usage<'i> {
         (!everything && held.len() > 1 && (is_whole || visited.is_some())).then_some(Places { held, visited })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::net::points;
+    use super::*;
+    use crate::geometry::DVec2;
+
+    fn usage<'i>(items: &'i [Item], legs: &[[(usize, usize); 2]]) -> Usage<'i> {
+        let mut usage = Usage::new(items, 1);
+        legs.iter().for_each(|&leg| usage.add(leg, 1.0));
+        usage
+    }
+
+    /// Two triangles, and home beside the first: nothing joins the second to the rest.
+    #[test]
+    fn a_set_of_items_without_legs_is_found() {
+        let items = vec![points(&[DVec2::ZERO], false); 7];
+        let legs = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 4]].map(|ends| ends.map(|i| (i, 0)));
+        let sets =
+            usage(&items, &legs).sets(Search { knots: false, relative: false, enough: 1.0, little: 0.1 });
+        let all = |items: &[usize]| items.iter().map(|&i| (i, None)).collect::<Vec<_>>();
+        assert_eq!(sets, [Places { held: all(&[4, 5, 6]), visited: None }]);
+    }
+
+    /// Two circles of legs at the two knots of the same items: each stops at half of the knots only.
+    #[test]
+    fn a_set_through_items_is_found() {
+        let items = vec![points(&[DVec2::ZERO, DVec2::ONE], false); 4];
+        let mut usage = Usage::new(&items, 1);
+        for (knot, ends) in [(0, [0, 1]), (0, [1, 2]), (0, [2, 0]), (1, [1, 2]), (1, [2, 3]), (1, [3, 1])] {
+            usage.add(ends.map(|i| (i, if i == 0 { 0 } else { knot })), 0.5);
+        }
+        let search = Search { knots: true, relative: false, enough: 1.0, little: 0.1 };
+        let half = Some(vec![false, true]);
+        // The third item stops at its second knot only, so that it is held whole.
+        let held = vec![(1, half.clone()), (2, half), (3, None)];
+        assert_eq!(usage.sets(search), [Places { held, visited: None }]);
+    }
+}

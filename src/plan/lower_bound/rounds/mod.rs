@@ -189,8 +189,12 @@ impl Strong {
         if let Some(mut spaces) = spaces {
             spaces.iter_mut().for_each(|s| s.lay_out(|i| ground.items[i].knots));
             ground.spaces = spaces;
-            self.bundle.price(|walk| seconds(walk, ground));
-            self.task = if self.looked.has_begun { Task::Orders } else { Task::Row(0) };
+            self.task = if self.looked.has_begun {
+                Task::Orders
+            } else {
+                self.bundle.price(|walk| seconds(walk, ground));
+                Task::Row(0)
+            };
         } else if self.full {
             self.task = Task::Nothing;
         } else {

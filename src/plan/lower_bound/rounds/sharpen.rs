@@ -20,8 +20,7 @@ const ADDED: f64 = 0.15;
 const LITTLE: f64 = 0.1;
 /// All pieces are halved after a look at all orders when less than this share of them is left, so that they hardly grow more.
 const FEW: f64 = 0.75;
-
-/// Legs between far items that are used less need no table.
+/// Legs between far items that are used less than this need no table.
 const SELDOM: f64 = 0.05;
 
 impl Strong {
@@ -57,7 +56,8 @@ impl Strong {
         added > 0
     }
 
-    /// Gives tables to the pairs of items between which the walks go without one, those most used first. Returns whether there are any.
+    /// Gives tables to the pairs of items between which the walks go without one, those most used first. Returns whether there are any. Without a table
+    /// a walk arrives anywhere on an item and forgets everything: on the sheet of 100 that is what holds the bound back most.
     pub(super) fn give_tables(&mut self) -> bool {
         let ground = &self.ground;
         let mut far: BTreeMap<[usize; 2], f64> = BTreeMap::new();

@@ -1,6 +1,6 @@
 //! Charges and cuts against exact optima of small problems.
 
-use super::cuts::missed;
+use super::excess::legs;
 use super::{Strong, Task};
 use crate::geometry::DVec2;
 use crate::machine::{Profile, preset};
@@ -8,6 +8,7 @@ use crate::plan::lower_bound::walks::Pass;
 use crate::problem::{Item, Node, NodeId, Problem};
 use rand::{RngExt, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
+use std::collections::BTreeMap;
 
 /// Contours of two points each, at these places.
 fn at(places: &[DVec2], closed: bool) -> Problem {
@@ -87,16 +88,30 @@ fn a_cut_brings_walks_to_far_contours() {
     assert!(without < 700.0 && with > without + 799.0, "{without}, then {with}");
 }
 
-/// Two triangles, and home beside the first: nothing joins the second to the rest.
+/// Legs between far items have no table at first, so that walks leap: they arrive at one place and leave from another.
 #[test]
-fn a_set_without_legs_is_missed() {
-    let mut legs = vec![0.0; 49];
-    for [a, b] in [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 4]] {
-        legs[a * 7 + b] = 1.0;
-        legs[b * 7 + a] = 1.0;
+fn far_items_between_which_walks_go_get_tables() {
+    let mut rng = Xoshiro256PlusPlus::seed_from_u64(3);
+    let mut place = || DVec2::new(rng.random_range(0.0..2000.0), rng.random_range(0.0..2000.0));
+    let places: Vec<DVec2> = (0..80).map(|_| place()).collect();
+    let problem = at(&places, true);
+    let mut strong = Strong::new(&problem);
+    while strong.task != Task::Row(0) {
+        strong.once(20_000.0);
     }
-    let missed = missed(&legs, 1, 7);
-    assert_eq!(missed.len(), 1);
-    assert!(missed[0].0 < 1e-12);
-    assert_eq!(missed[0].1, (0..7).map(|i| i > 3).collect::<Vec<_>>());
+    let before = strong.wanted.len();
+    while strong.walks.is_empty() || strong.task != Task::Row(0) {
+        strong.once(20_000.0);
+    }
+    let more = strong.wanted.len() - before;
+    assert!((1..40).contains(&more), "{more} tables more");
+    let mut far: BTreeMap<[usize; 2], f64> = BTreeMap::new();
+    for (weight, walk) in &strong.walks {
+        for [a, b] in legs(walk, &strong.ground).map(|leg| leg.map(|v| v.item)) {
+            if strong.ground.pair(a, b).is_none() {
+                *far.entry([a.min(b), a.max(b)]).or_default() += weight;
+            }
+        }
+    }
+    assert!(far.values().all(|&uses| uses <= 0.05), "{far:?}");
 }

@@ -126,7 +126,8 @@ impl ShareBound {
             }
             cut.legs = legs;
             if cut.places.visited.is_some() {
-                cut.target = 2.0 * cut.places.visited_knots().map(|(k, v)| self.stay[self.base[k] + v]).sum::<f64>();
+                cut.target =
+                    2.0 * cut.places.visited_knots().map(|(k, v)| self.stay[self.base[k] + v]).sum::<f64>();
             }
             let fault = ln(cut.target.max(FEW)) - ln(cut.legs.max(FEW));
             let by = by * (legs.max(FEW) / crossed.max(FEW)).min(1.0).sqrt();
