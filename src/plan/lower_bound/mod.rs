@@ -64,6 +64,7 @@ mod certificate;
 mod charges;
 mod cheap;
 mod gather;
+#[cfg(feature = "research")]
 mod halving;
 mod meet;
 mod minorant;

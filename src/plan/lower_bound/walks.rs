@@ -173,16 +173,12 @@ impl Ground {
         self.pairs.of[from].iter().filter(one_way).find(leads).copied()
     }
 
-    /// What a leg between two knots takes without charges, s. Home is left and reached anywhere.
+    /// What a leg between two knots takes without charges, s.
     pub(super) fn leg(&self, from: Visit, to: Visit) -> f64 {
         let Some(pair) = self.pair(from.item, to.item) else { return self.gap(from.item, to.item) };
         let (table, rows_left) = self.legs(pair);
         let (row, column) = if rows_left { (from, to) } else { (to, from) };
-        let knots =
-            |v: Visit| if v.item < self.first { 0..self.items[v.item].knots } else { v.knot..v.knot + 1 };
-        let columns = self.items[column.item].knots;
-        let all = knots(row).flat_map(|r| knots(column).map(move |c| table[r * columns + c]));
-        all.fold(f64::INFINITY, f64::min)
+        table[row.knot * self.items[column.item].knots + column.knot]
     }
 
     /// The table of a leg, and whether its rows are those of the item left.

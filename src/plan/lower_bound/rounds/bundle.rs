@@ -8,6 +8,7 @@
 
 use super::super::charges::{Charges, Cut, HAS_CUTS};
 use super::super::meet::Found;
+use super::super::net::Item;
 use super::super::walks::Visit;
 use super::excess::{crossings, excess};
 
@@ -63,11 +64,12 @@ impl Bundle {
         self.promised = f64::INFINITY;
     }
 
-    /// Goes on after pieces were halved. `around`: for each knot of each item the two knots around it before, or twice the same.
-    pub(super) fn halve(&mut self, around: &[Vec<[usize; 2]>]) {
+    /// Goes on after pieces were halved. `along`: where the knots of each item were before.
+    pub(super) fn halve(&mut self, along: &[Vec<f64>], items: &[Item]) {
         for visit in self.known.iter_mut().flat_map(|k| &mut k.walk) {
-            let same = around[visit.item].iter().position(|&knots| knots == [visit.knot; 2]);
-            visit.knot = same.unwrap_or(0);
+            if let Some(&place) = along[visit.item].get(visit.knot) {
+                visit.knot = items[visit.item].along.partition_point(|&s| s < place);
+            }
         }
     }
 
@@ -231,9 +233,9 @@ impl Bundle {
         // The slope of each weight: the value of its walk.
         let mut slopes: Vec<f64> = self.known.iter().map(|k| k.at(&values)).collect();
         let mut work = self.known.len() * way.len();
-        // What each cut is crossed by, one walk after the other.
-        let of_cuts: Vec<Vec<f64>> =
-            (items..way.len()).map(|d| self.known.iter().map(|k| k.excess[d]).collect()).collect();
+        // The excess of all walks, one cut after the other.
+        let cuts = if HAS_CUTS { items..way.len() } else { 0..0 };
+        let of_cuts: Vec<Vec<f64>> = cuts.map(|d| self.known.iter().map(|k| k.excess[d]).collect()).collect();
         for _ in 0..STEPS * self.known.len() {
             work += 3 * self.known.len();
             let (mut low, mut high) = ((f64::INFINITY, 0), (f64::NEG_INFINITY, 0));
@@ -251,7 +253,11 @@ impl Bundle {
             }
             let p = &self.products;
             let [a, b] = [to, from].map(|k| &self.known[k].excess);
-            let by_cuts: f64 = a[items..].iter().zip(&b[items..]).map(|(x, y)| (x - y) * (x - y)).sum();
+            let by_cuts: f64 = if HAS_CUTS {
+                a[items..].iter().zip(&b[items..]).map(|(x, y)| (x - y) * (x - y)).sum()
+            } else {
+                0.0
+            };
             let curve = step * (p[to][to] + p[from][from] - 2.0 * p[to][from] + by_cuts);
             let most = self.known[from].weight;
             let by = if curve > 0.0 { most.min((high.0 - low.0) / curve) } else { most };

@@ -25,14 +25,18 @@ pub(super) fn crossings(walk: &[Visit], cut: &Cut) -> f64 {
 }
 
 /// The legs of a walk from home and back to it, between the knots where they start and end.
-pub(super) fn legs<'w>(walk: &'w [Visit], ground: &'w Ground) -> impl Iterator<Item = [Visit; 2]> + 'w {
-    let [start, end] = [0, ground.first - 1].map(|item| Visit { item, knot: 0 });
-    let left = |v: &Visit| if ground.items[v.item].paired { Visit { knot: v.knot ^ 1, ..*v } } else { *v };
-    let from = std::iter::once(start).chain(walk.iter().map(left));
-    from.zip(walk.iter().copied().chain([end])).map(|(from, to)| [from, to])
+pub(super) fn legs(walk: &[Visit], ground: &Ground) -> Vec<[Visit; 2]> {
+    let mut from = Visit { item: 0, knot: 0 };
+    let mut legs = Vec::with_capacity(walk.len() + 1);
+    for &to in walk {
+        legs.push([from, to]);
+        from = if ground.items[to.item].paired { Visit { knot: to.knot ^ 1, ..to } } else { to };
+    }
+    legs.push([from, Visit { item: ground.first - 1, knot: 0 }]);
+    legs
 }
 
-/// What a walk takes without charges, s.
+/// What a walk takes without charges, s, if home is one point.
 pub(super) fn seconds(walk: &[Visit], ground: &Ground) -> f64 {
-    legs(walk, ground).map(|[from, to]| ground.leg(from, to)).sum()
+    legs(walk, ground).into_iter().map(|[from, to]| ground.leg(from, to)).sum()
 }

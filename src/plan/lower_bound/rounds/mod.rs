@@ -192,7 +192,10 @@ impl Strong {
             self.task = if self.looked.has_begun {
                 Task::Orders
             } else {
-                self.bundle.price(|walk| seconds(walk, ground));
+                // Given prices stay, and home may be several points then.
+                if !ground.prices.given() {
+                    self.bundle.price(|walk| seconds(walk, ground));
+                }
                 Task::Row(0)
             };
         } else if self.full {

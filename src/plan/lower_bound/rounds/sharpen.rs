@@ -1,13 +1,11 @@
 //! What a round prepares for the next: what walks must remember, and which pieces of contours are halved.
 
-use super::super::halving::halved;
 use super::super::net::{Item, Piece};
 use super::super::walks::{Ground, Visit};
 use super::Strong;
 use super::excess::legs;
 use crate::geometry::DVec2;
-use crate::order::{real, sort_by};
-use std::collections::BTreeMap;
+use crate::order::sort_by;
 
 /// Largest company of an item: its states may double with each member.
 const MOST_COMPANY: usize = 16;
@@ -20,8 +18,8 @@ const ADDED: f64 = 0.15;
 const LITTLE: f64 = 0.1;
 /// All pieces are halved after a look at all orders when less than this share of them is left, so that they hardly grow more.
 const FEW: f64 = 0.75;
-/// Legs between far items that are used less than this need no table.
-const SELDOM: f64 = 0.05;
+/// Walks that are a smaller part of the mixture say little about which far items need tables.
+const SELDOM: f64 = 0.02;
 
 impl Strong {
     /// Excludes the shortest faults of the walks, which are cycles and stops out of order: the items between the two stops
@@ -56,41 +54,34 @@ impl Strong {
         added > 0
     }
 
-    /// Gives tables to the pairs of items between which the walks go without one, those most used first. Returns whether there are any. Without a table
+    /// Gives tables to the pairs of items between which the walks go without one, half as many as there are items at most. Returns whether there are any. Without a table
     /// a walk arrives anywhere on an item and forgets everything: on the sheet of 100 that is what holds the bound back most.
     pub(super) fn give_tables(&mut self) -> bool {
-        let ground = &self.ground;
-        let mut far: BTreeMap<[usize; 2], f64> = BTreeMap::new();
+        let before = self.wanted.len();
+        let most = before + self.ground.count() / 2;
         for (weight, walk) in &self.walks {
-            for [from, to] in legs(walk, ground).map(|leg| leg.map(|v| v.item)) {
-                if ground.pair(from, to).is_none() {
-                    *far.entry([from.min(to), from.max(to)]).or_default() += weight;
+            for [from, to] in legs(walk, &self.ground) {
+                let [a, b] = [from.item, to.item];
+                let ends = [a.min(b), a.max(b)];
+                let is_new = self.ground.pair(a, b).is_none() && !self.wanted.contains(&ends);
+                if is_new && *weight > SELDOM && self.wanted.len() < most {
+                    self.wanted.push(ends);
                 }
             }
         }
-        let mut far: Vec<([usize; 2], f64)> = far.into_iter().filter(|f| f.1 > SELDOM).collect();
-        sort_by(&mut far, |f| [u64::MAX - real(f.1), f.0[0] as u64, f.0[1] as u64]);
-        far.truncate(ground.count() / 2);
-        self.wanted.extend(far.iter().map(|f| f.0));
-        !far.is_empty()
+        self.wanted.len() > before
     }
 
     /// Halves the pieces at knots whose legs in the walks are priced below their real cost. Returns whether there were any.
     pub(super) fn refine(&mut self, upper: f64) -> bool {
         let marks = self.losses(upper);
-        let same = |item: &Item| (0..item.knots).map(|v| [v; 2]).collect();
-        let around: Vec<Vec<[usize; 2]>> = self
-            .ground
-            .items
-            .iter_mut()
-            .zip(&marks)
-            .map(|(item, marked)| {
-                let Some((finer, around)) = halved(item, marked) else { return same(item) };
+        let along: Vec<Vec<f64>> = self.ground.items.iter().map(|item| item.along.clone()).collect();
+        for (item, marked) in self.ground.items.iter_mut().zip(&marks).filter(|m| m.1.contains(&true)) {
+            if let Some(finer) = item.halved(marked) {
                 *item = finer;
-                around
-            })
-            .collect();
-        self.bundle.halve(&around);
+            }
+        }
+        self.bundle.halve(&along, &self.ground.items);
         marks.iter().flatten().any(|&marked| marked)
     }
 
@@ -117,7 +108,9 @@ impl Strong {
         let little = LITTLE * (upper - self.best).max(0.0) / ground.count() as f64;
         let mut losses: Vec<Vec<f64>> = ground.items.iter().map(|i| vec![0.0; i.knots]).collect();
         for (weight, walk) in &self.walks {
-            for leg in legs(walk, ground).filter(|leg| leg[1].item != ground.first - 1 || ground.first == 1) {
+            // The end of an open path costs nothing.
+            let ends = |leg: &[Visit; 2]| ground.first == 1 || leg[1].item >= ground.first;
+            for leg in legs(walk, ground).into_iter().filter(ends) {
                 let seconds = weight * lost(ground, leg);
                 leg.iter().for_each(|v| losses[v.item][v.knot] += seconds);
             }

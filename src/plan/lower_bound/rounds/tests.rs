@@ -107,7 +107,7 @@ fn far_items_between_which_walks_go_get_tables() {
     assert!((1..40).contains(&more), "{more} tables more");
     let mut far: BTreeMap<[usize; 2], f64> = BTreeMap::new();
     for (weight, walk) in &strong.walks {
-        for [a, b] in legs(walk, &strong.ground).map(|leg| leg.map(|v| v.item)) {
+        for [a, b] in legs(walk, &strong.ground).into_iter().map(|leg| leg.map(|v| v.item)) {
             if strong.ground.pair(a, b).is_none() {
                 *far.entry([a.min(b), a.max(b)]).or_default() += weight;
             }

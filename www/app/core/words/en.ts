@@ -246,7 +246,7 @@ export const en = {
     pierce: 'Pierce time', preCut: 'Pre-cut time', preCutLength: 'Pre-cut length', sharpAngle: 'Pause in corners below', sharpTime: 'Pause in a corner', noPauses: 'no pauses', kerf: 'Kerf width',
     kerfHint: 'Parts keep their drawn size: the beam is offset by half the kerf. Outlines that are one kerf apart are cut once. 0: the beam follows the drawn lines.',
     beamOn: 'Beam on delay', beamOff: 'Beam off delay', homeX: 'Home, x', homeY: 'Home, y', bedX0: 'Bed from x', bedX1: 'Bed to x', bedY0: 'Bed from y', bedY1: 'Bed to y', noBed: 'not known', fullPower: 'Power value at full power',
-    material: 'Material', ownSetting: 'As the machine is set', materialName: 'Name of the material', saveMaterial: 'Save setting', removeMaterial: 'Delete setting', materials: 'Material library', materialsHint: 'Saves speed, power, passes, pierce time and kerf under a name. The library is saved, exported and imported with the machine.',
+    material: 'Material', ownSetting: 'As the machine is set', materialName: 'Name of the material', saveMaterial: 'Save setting', removeMaterial: 'Delete setting', materials: 'Material library', materialsHint: 'Speed, power, passes, pierce time and kerf under a name, saved and exported with the machine.',
     zSpeed: 'Speed of the z axis', noZ: 'no z axis',
     which: 'Which machine cuts?', keep: 'Keep this machine',
     own: 'Your machines', name: 'Name of your machine', notSaved: 'This browser does not store data for this page: export the machine to a file instead.',
@@ -256,7 +256,7 @@ export const en = {
   },
 
   calibration: {
-    title: 'Calibrate with a stopwatch', hint: 'Run a job, and type in the seconds that it took. One or two jobs are enough; best is one with many piercings and one with many corners.',
+    title: 'Calibrate with a stopwatch', hint: 'Run a job, and type in the seconds that it took. Best is one with many piercings and one with many corners.',
     took: 'This job took', none: 'measured', add: 'Add this job', fit: 'Fit the machine', clear: 'Start again', take: 'Use the fitted values', before: 'Before', after: 'After',
     job: (name: string, measured: string, planned: string) => `${name}: ${measured}, planned ${planned}`, notYet: 'Enter the seconds of the job on screen, once its plan is done.',
   },
@@ -285,13 +285,13 @@ export const en = {
     moving: 'Begin cuts moving', overcut: 'Cut again at the end',
     lift: 'Lift the head between cuts', height: 'Lift by', stayDown: 'Stay down on moves up to', atRest: 'Lift before moving, lower after it',
     fly: 'Cut rows and grids on the run', reach: 'Longest way between two cuts', flyOvercut: 'Cut each contour again by',
-    aboutFly: 'The beam goes on and off as the head runs along a row of holes, or the sides of a grid. For sheet that is cut through at once, and controllers that switch the beam in motion. What has leads or micro-joints is cut one by one.',
+    aboutFly: 'The beam goes on and off as the head runs along a row of holes, or the sides of a grid. For sheet that is cut through at once. What has leads or micro-joints is cut one by one.',
     chains: 'Join contours through waste', chainReach: 'Longest cut through waste', chainClearance: 'Distance from other contours',
     bridges: 'Connect parts by bridges', bridgeWidth: 'Width of a bridge', bridgeReach: 'Longest bridge', bridgeMost: 'Most parts together', cutLater: 'Cut them later',
     aboutBridges: 'Strips hold parts together, whose outlines are pierced once.',
     edgeStarts: 'Begin on kerfs and at the edge of the sheet, too',
     shared: 'Cut shared sides together', shift: 'Say which parts to shift by up to', shiftParts: 'Shift them', aboutShared: 'For parts one kerf apart: pierced once and cut as one.',
-    aboutChains: 'From the end of a contour the beam cuts through the waste to the next one, where that is quicker than piercing. Parts that stand corner to corner gain the most.',
+    aboutChains: 'From the end of a contour the beam cuts through the waste to the next one, where that is quicker than piercing.',
     aboutLift: 'For parts that may tip up. The head rises and sinks on its way, unless you switch that off. Only G-code has the heights.',
     about: 'For marks and thin sheet: the beam goes on as the head starts, without a wait. Open cuts and cuts in several passes still begin at rest.',
   },
@@ -299,19 +299,19 @@ export const en = {
   skeleton: {
     on: 'Cut up the skeleton', x: 'Greatest width of pieces', y: 'Greatest height of pieces', clearance: 'Distance from parts', joints: 'Longest cut without a joint', width: 'Width of joints',
     strip: 'Keep a strip of the sheet in one piece', least: 'At least this wide',
-    about: 'Straight cuts through the waste, last of all, so that what is left can be lifted off in pieces. The sheet is the outline that is drawn and not cut, otherwise the bed. Empty fields: no cuts in that direction, no joints.',
+    about: 'Straight cuts through the waste, last of all. The sheet is the outline that is drawn and not cut, otherwise the bed. Empty fields: no cuts in that direction, no joints.',
   },
 
   tips: {
     title: 'Mind pieces that tip', riskyMoves: 'Moves over them', moves: { ignore: 'Only mark them', avoid: 'Avoid them' } satisfies Record<RiskyMoves, string>,
     nozzle_radius: 'Nozzle radius', margin: 'Distance to keep', pitch: 'From slat to slat', angle: 'Direction of slats', tips_below: 'Pieces tip below', drops_below: 'Pieces drop below', cross_over: 'Cross holes up to',
-    unknown: 'not known', about: 'A piece that is cut free drops, tips up or stays, by its size and the slats. Avoided, they are gone around or passed with the head lifted, and order and entries are chosen for it. Amber: pieces that may tip, and moves with the head lifted. Red: moves over them with the head down.',
+    unknown: 'not known', about: 'A piece that is cut free drops, tips up or stays, by its size and the slats. Avoided, they are gone around or passed with the head lifted. Amber: pieces that may tip, and moves with the head lifted. Red: moves over them with the head down.',
     lifts: 'Lifts', detours: 'Detours', crossings: 'Risky moves',
   },
 
   heat: {
     title: 'Let cuts cool', distance: 'Cuts nearer than', seconds: 'Time between them', charge: 'Charge for a pair', thickness: 'Plate thickness', ratio: 'Small: times thickness',
-    noCharge: 'none: wait', noThickness: 'not known', about: 'Cuts near each other do not follow each other at once: order and entries are chosen for it, and where nothing else helps, the head waits. With a charge it never waits, and the search weighs each pair that follows too soon. With a plate thickness, small holes are cut before all other cuts.',
+    noCharge: 'none: wait', noThickness: 'not known', about: 'Cuts near each other do not follow each other at once; where nothing else helps, the head waits. With a charge it never waits, and each pair that follows too soon costs as much. With a plate thickness, small holes are cut first.',
     waits: 'Waits', hotPairs: 'Cuts too soon',
   },
 
