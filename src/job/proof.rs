@@ -20,6 +20,10 @@ pub const CERTIFICATE_SCHEMA: &str = "kerfway.certificate/1";
 
 /// Numbers of the bound by walks for one of that by shares, which takes seven times as long: each gets half of the time.
 const WALKS_PER_SHARE: u32 = 7;
+/// Shares get this part of their time when walks prove more: they hardly ever catch up with them.
+const BEHIND: u32 = 4;
+/// Work for walks between two looks at who proves more.
+const TURN: u32 = 1_000_000;
 
 /// A certificate file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -128,8 +132,8 @@ pub struct Proof {
     paid: f64,
     bound: Option<Bound>,
     optimum: Option<Optimum>,
-    /// Work that is granted and not yet passed on to the shares beside walks.
-    left: u32,
+    /// Work that is granted and not yet done: less than a turn.
+    left: u64,
 }
 
 impl Proof {
@@ -171,16 +175,20 @@ impl Proof {
         self.bound.is_none().then_some("Certificates are not written for fewer than two contours.")
     }
 
-    /// Looks at about `work` more numbers. Returns whether more work may help.
+    /// Looks at about `work` more numbers, in turns of the same size however it is sliced. Returns whether more work may help.
     pub fn improve(&mut self, work: u32) -> bool {
-        let mut of_shares = work;
-        if self.optimum.is_some() {
-            let granted = self.left.saturating_add(work);
-            (of_shares, self.left) = (granted / WALKS_PER_SHARE, granted % WALKS_PER_SHARE);
+        let Some(bound) = &mut self.bound else { return false };
+        let Some(optimum) = &mut self.optimum else { return bound.improve(work) };
+        self.left += u64::from(work);
+        let mut more = true;
+        while more && self.left >= u64::from(TURN) {
+            self.left -= u64::from(TURN);
+            let part = if bound.value() < optimum.value() { BEHIND } else { 1 };
+            let of_bound = bound.improve(TURN / WALKS_PER_SHARE / part);
+            let of_optimum = optimum.improve(TURN);
+            more = of_bound || of_optimum;
         }
-        let of_bound = self.bound.as_mut().is_some_and(|bound| bound.improve(of_shares));
-        let of_optimum = self.optimum.as_mut().is_some_and(|optimum| optimum.improve(work));
-        of_bound || of_optimum
+        more
     }
 
     /// No plan takes less, s. 0 if nothing can be proven in this way.

@@ -13,7 +13,7 @@ import { publint } from 'publint';
 import { install, pack, ROOT } from './support.mjs';
 
 /** kB, packed: four wasm files, the core and the writers once more in the single file and as text for `inline`, and the scripts. */
-const PACKED_BUDGET = 5400;
+const PACKED_BUDGET = 5500;
 
 describe('the published package', () => {
   let at, packed;
