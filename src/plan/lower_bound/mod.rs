@@ -72,6 +72,10 @@ mod net;
 mod order;
 mod orders;
 mod pairs;
+#[cfg_attr(
+    not(feature = "research"),
+    expect(dead_code, reason = "the bounds by shares and by stops use the rest of it")
+)]
 mod places;
 #[cfg(feature = "research")]
 mod postman;

@@ -114,7 +114,7 @@ impl Bundle {
 
     /// Moves the charges to where the model with its quadratic term is highest.
     fn move_charges(&mut self, charges: &mut Charges, upper: f64) -> u64 {
-        let (values, work) = self.mix();
+        let (values, work) = self.mix(upper);
         charges.set(&values);
         let model = self.known.iter().map(|k| k.at(charges.values())).fold(f64::INFINITY, f64::min);
         self.promised = (model.min(upper) - self.value).max(1e-12);
@@ -205,7 +205,7 @@ impl Bundle {
 
     /// Finds the mixture of walks that is the dual of the model with its quadratic term, and returns the charges it leads to:
     /// weight moves from the walk that is worst to the one that is best, as far as it pays.
-    fn mix(&mut self) -> (Vec<f64>, u64) {
+    fn mix(&mut self, upper: f64) -> (Vec<f64>, u64) {
         let items = self.best.items();
         let total: f64 = self.known.iter().map(|k| k.weight).sum();
         if total <= 0.0 {
@@ -236,6 +236,8 @@ impl Bundle {
         // The excess of all walks, one cut after the other.
         let cuts = if HAS_CUTS { items..way.len() } else { 0..0 };
         let of_cuts: Vec<Vec<f64>> = cuts.map(|d| self.known.iter().map(|k| k.excess[d]).collect()).collect();
+        // In a new round nothing is promised yet; no more than this can be gained.
+        let left = (upper - self.value).max(0.0);
         for _ in 0..STEPS * self.known.len() {
             work += 3 * self.known.len();
             let (mut low, mut high) = ((f64::INFINITY, 0), (f64::NEG_INFINITY, 0));
@@ -248,7 +250,7 @@ impl Bundle {
                 }
             }
             let (to, from) = (low.1, high.1);
-            if high.0 - low.0 <= EXACT * self.promised.min(low.0.abs()) {
+            if high.0 - low.0 <= EXACT * self.promised.min(low.0.abs()).min(left) {
                 break;
             }
             let p = &self.products;

@@ -115,11 +115,6 @@ impl Strong {
                 leg.iter().for_each(|v| losses[v.item][v.knot] += seconds);
             }
         }
-        // Where many walks share the loss, none of their knots has much of it.
-        let (sum, most) =
-            losses.iter().flatten().fold((0.0, 0.0_f64), |(sum, most), &s| (sum + s, most.max(s)));
-        let shared = sum > little * ground.count() as f64;
-        let little = if shared { little.min(0.5 * most) } else { little };
         let marks = |(item, losses): (&Item, &Vec<f64>)| {
             let bad = |p: &Piece| item.can_halve() && p.knots.iter().any(|&k| losses[k] > little);
             item.pieces.iter().map(bad).collect()

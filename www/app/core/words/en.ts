@@ -266,7 +266,7 @@ export const en = {
     clearance: 'Distance from parts', centerBelow: 'From the centre in holes below', overcut: 'Overcut',
     kinds: { none: 'None', line: 'Line', arc: 'Arc', 'line-arc': 'Line and arc', center: 'From the centre' } satisfies Record<LeadKind, string>,
     positions: { any: 'Wherever it is fastest', corner: 'At corners', side: 'In the middle of sides' } satisfies Record<LeadPosition, string>,
-    about: 'Leads lie in scrap: inside holes, outside parts. Where one does not fit it is turned, moved, shortened or left out, and listed under Findings. A negative overcut leaves a gap.',
+    about: 'Leads lie in scrap: inside holes, outside parts. Where one does not fit it is changed or left out, and listed under Findings. A negative overcut leaves a gap.',
     custom: 'This machine has lead rules of its own.', replace: 'Replace them by one lead for all', ownRules: 'own rules',
   },
 
@@ -275,7 +275,7 @@ export const en = {
     least: 'Only contours from', most: 'Only contours up to', any: 'any', kind: 'At a joint',
     sides: { both: 'Parts and holes', outer: 'Parts', hole: 'Holes' } satisfies Record<JointSide, string>,
     kinds: { stop: 'Stop and pierce', flying: 'Keep moving' } satisfies Record<JointKind, string>,
-    about: 'Short lengths of a contour stay uncut, so that its piece neither falls nor tips. The kerf is added to the width. Joints keep away from corners, leads and other cuts; where one does not fit, Findings say so.',
+    about: 'Short lengths of a contour stay uncut, so that its piece neither falls nor tips. The kerf is added to the width. Where one does not fit, Findings say so.',
     custom: 'This machine has joint rules of its own.', replace: 'Replace them by one rule', ownRules: 'own rules',
     place: 'Place by hand', placing: 'Click a contour where it should be held; click a joint to remove it. Esc ends it.', clear: 'Remove all',
     placed: (n: number, written: string) => `${counted(n, written, 'joint')} by hand`,
@@ -299,7 +299,7 @@ export const en = {
   skeleton: {
     on: 'Cut up the skeleton', x: 'Greatest width of pieces', y: 'Greatest height of pieces', clearance: 'Distance from parts', joints: 'Longest cut without a joint', width: 'Width of joints',
     strip: 'Keep a strip of the sheet in one piece', least: 'At least this wide',
-    about: 'Straight cuts through the waste, last of all. The sheet is the outline that is drawn and not cut, otherwise the bed. Empty fields: no cuts in that direction, no joints.',
+    about: 'Straight cuts through the waste, last of all. The sheet is the outline that is drawn and not cut, or the bed. Empty fields: no cuts that way, no joints.',
   },
 
   tips: {
@@ -404,7 +404,7 @@ export const en = {
 
   table: {
     title: 'Cutting order', rows: 'Rows of the cutting order', close: 'Close the table', columns: ['No.', '', 'Layer', 'Length', 'Begins', 'Entry', 'Direction'],
-    show: (n: number) => `Contour ${n}, show on the sheet`, move: (n: number) => `Move contour ${n} in the order: drag, or arrow keys`, drag: 'Drag rows to fix their order', inside: 'What lies inside a contour is cut before it, so it cannot be moved there.',
+    show: (n: number) => `Contour ${n}, show on the sheet`, move: (n: number) => `Move contour ${n} in the order: drag, or arrow keys`, drag: 'Drag rows to fix their order', inside: 'What lies inside a contour is cut before it.',
     reversed: 'reversed', asDrawn: 'as drawn', open: 'open',
   },
 
