@@ -5,11 +5,9 @@ use crate::plan::{LowerBound, WalkCertificate};
 use crate::problem::Problem;
 use crate::solve::{self, Running};
 
-/// Most contours: with more, the bound is not by walks. All orders are looked at up to 128.
-const MOST: usize = 220;
 /// Work on the bound between two pieces of the search, and the moves of such a piece: about a third of the time, until the search has
 /// made [`ENOUGH`] moves.
-const TURN: u32 = 1_000_000;
+pub(super) const TURN: u32 = 1_000_000;
 const MOVES: u64 = 10_000;
 /// The search ends here: beyond, it hardly ever finds a better path over 128 contours.
 const ENOUGH: u64 = 20_000_000;
@@ -19,28 +17,23 @@ pub(super) struct Optimum {
     running: Running,
     bound: LowerBound,
     moves: u64,
-    /// Work that is granted and not yet done: less than a turn.
-    left: u64,
     more: bool,
 }
 
 impl Optimum {
-    /// `None` for jobs of too many contours.
+    /// `None` for jobs of too many contours for walks. All orders are looked at up to 128.
     pub(super) fn new(problem: &Problem) -> Option<Self> {
-        (problem.items.len() <= MOST).then(|| Self {
+        (problem.items.len() <= LowerBound::MOST_BY_WALKS).then(|| Self {
             bound: LowerBound::new(problem),
             running: Running::new(problem.clone(), |p| solve::methods()[0].start(p, 1, None)),
             moves: 0,
-            left: 0,
             more: true,
         })
     }
 
-    /// Looks at about `work` more numbers, in turns of the same size however it is sliced. Returns whether more work may help.
-    pub(super) fn improve(&mut self, work: u32) -> bool {
-        self.left += u64::from(work);
-        while self.more && self.left >= u64::from(TURN) {
-            self.left -= u64::from(TURN);
+    /// A piece of the search, and [`TURN`] more numbers of the bound. Returns whether more work may help.
+    pub(super) fn turn(&mut self) -> bool {
+        if self.more {
             if self.moves < ENOUGH {
                 self.moves += MOVES;
                 self.running.with_dependent_mut(|_, search| search.step(MOVES));

@@ -4,7 +4,7 @@
 //! read, the machine, the setting and the place on the bed. From these the problem is made again, and the numbers of the
 //! [`Certificate`], of the [`WalkCertificate`] or of the [`StopCertificate`] are added up again in whole numbers. How they were found does not matter, and no search is needed.
 
-use super::optimum::Optimum;
+use super::optimum::{Optimum, TURN};
 use super::{Job, JobError, LoadOptions, MachineChoice, Place, PlanOptions};
 use crate::drawing::TextDecoder;
 use crate::machine::{Profile, Start};
@@ -22,8 +22,6 @@ pub const CERTIFICATE_SCHEMA: &str = "kerfway.certificate/1";
 const WALKS_PER_SHARE: u32 = 7;
 /// Shares get this part of their time when walks prove more: they hardly ever catch up with them.
 const BEHIND: u32 = 4;
-/// Work for walks between two looks at who proves more.
-const TURN: u32 = 1_000_000;
 
 /// A certificate file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -185,7 +183,7 @@ impl Proof {
             self.left -= u64::from(TURN);
             let part = if bound.value() < optimum.value() { BEHIND } else { 1 };
             let of_bound = bound.improve(TURN / WALKS_PER_SHARE / part);
-            let of_optimum = optimum.improve(TURN);
+            let of_optimum = optimum.turn();
             more = of_bound || of_optimum;
         }
         more

@@ -1,6 +1,6 @@
 //! Sets of places with too few legs to the others, found by joining places again and again by the legs between them.
 
-use super::net::Item;
+use super::net::{Item, bases};
 use super::places::Places;
 use crate::order::{real, sort_by};
 use std::cmp::Reverse;
@@ -53,12 +53,7 @@ struct Group {
 impl<'i> Usage<'i> {
     /// `first`: the first item that is not home.
     pub(super) fn new(items: &'i [Item], first: usize) -> Self {
-        let mut knots = 0;
-        let start = |item: &Item| {
-            knots += item.knots;
-            knots - item.knots
-        };
-        let base = items.iter().map(start).collect();
+        let (base, knots) = bases(items);
         Self { items, first, base, legs: Vec::new(), degree: vec![0.0; knots] }
     }
 

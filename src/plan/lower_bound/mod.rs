@@ -72,10 +72,7 @@ mod net;
 mod order;
 mod orders;
 mod pairs;
-#[cfg_attr(
-    not(feature = "research"),
-    expect(dead_code, reason = "the bounds by shares and by stops use the rest of it")
-)]
+#[cfg_attr(not(feature = "research"), expect(dead_code, reason = "the bound by shares uses the rest of it"))]
 mod places;
 #[cfg(feature = "research")]
 mod postman;
@@ -134,6 +131,10 @@ enum Method {
 }
 
 impl LowerBound {
+    /// Most contours whose bound is by walks.
+    #[cfg(feature = "research")]
+    pub(crate) const MOST_BY_WALKS: usize = STRONG;
+
     /// Starts with the bound 0.
     pub fn new(problem: &Problem) -> Self {
         let count = problem.items.len() - usize::from(problem.start().is_some());

@@ -137,6 +137,16 @@ fn of_stretches(track: Track, stretches: &[Stretch]) -> Item {
     Item { knots: along.len(), paired: false, along, track: Some(track), around, pieces }
 }
 
+/// Where the knots of each item start if they are counted through all items, and how many there are.
+pub(super) fn bases(items: &[Item]) -> (Vec<usize>, usize) {
+    let mut knots = 0;
+    let start = |item: &Item| {
+        knots += item.knots;
+        knots - item.knots
+    };
+    (items.iter().map(start).collect(), knots)
+}
+
 fn hull(pieces: &[Piece]) -> Aabb {
     pieces.iter().fold(Aabb::EMPTY, |b, p| b.union(p.around))
 }

@@ -173,12 +173,11 @@ impl Ground {
         self.pairs.of[from].iter().filter(one_way).find(leads).copied()
     }
 
-    /// What a leg between two knots takes without charges, s.
-    pub(super) fn leg(&self, from: Visit, to: Visit) -> f64 {
-        let Some(pair) = self.pair(from.item, to.item) else { return self.gap(from.item, to.item) };
-        let (table, rows_left) = self.legs(pair);
+    /// What the table of a pair says of a leg between two knots, s; `None` if the items have no table.
+    pub(super) fn leg(&self, from: Visit, to: Visit) -> Option<f64> {
+        let (table, rows_left) = self.legs(self.pair(from.item, to.item)?);
         let (row, column) = if rows_left { (from, to) } else { (to, from) };
-        table[row.knot * self.items[column.item].knots + column.knot]
+        Some(table[row.knot * self.items[column.item].knots + column.knot])
     }
 
     /// The table of a leg, and whether its rows are those of the item left.

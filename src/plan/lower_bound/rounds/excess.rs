@@ -38,5 +38,7 @@ pub(super) fn legs(walk: &[Visit], ground: &Ground) -> Vec<[Visit; 2]> {
 
 /// What a walk takes without charges, s, if home is one point.
 pub(super) fn seconds(walk: &[Visit], ground: &Ground) -> f64 {
-    legs(walk, ground).into_iter().map(|[from, to]| ground.leg(from, to)).sum()
+    let seconds =
+        |[from, to]: [Visit; 2]| ground.leg(from, to).unwrap_or_else(|| ground.gap(from.item, to.item));
+    legs(walk, ground).into_iter().map(seconds).sum()
 }

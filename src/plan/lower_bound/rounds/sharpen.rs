@@ -54,17 +54,18 @@ impl Strong {
         added > 0
     }
 
-    /// Gives tables to the pairs of items between which the walks go without one, half as many as there are items at most. Returns whether there are any. Without a table
-    /// a walk arrives anywhere on an item and forgets everything: on the sheet of 100 that is what holds the bound back most.
+    /// Gives tables to the pairs of items between which the walks go without one, half as many as there are items at most. Returns whether
+    /// there are any. Without a table a walk arrives anywhere on an item and forgets everything: on the sheet of 100 that is what holds
+    /// the bound back most.
     pub(super) fn give_tables(&mut self) -> bool {
         let before = self.wanted.len();
         let most = before + self.ground.count() / 2;
-        for (weight, walk) in &self.walks {
+        for (_, walk) in self.walks.iter().filter(|w| w.0 > SELDOM) {
             for [from, to] in legs(walk, &self.ground) {
                 let [a, b] = [from.item, to.item];
                 let ends = [a.min(b), a.max(b)];
                 let is_new = self.ground.pair(a, b).is_none() && !self.wanted.contains(&ends);
-                if is_new && *weight > SELDOM && self.wanted.len() < most {
+                if is_new && self.wanted.len() < most {
                     self.wanted.push(ends);
                 }
             }
@@ -125,11 +126,9 @@ impl Strong {
 
 /// How far a leg between two knots is priced below its real cost, s.
 fn lost(ground: &Ground, [from, to]: [Visit; 2]) -> f64 {
-    if ground.pair(from.item, to.item).is_none() {
-        return 0.0;
-    }
+    let Some(seconds) = ground.leg(from, to) else { return 0.0 };
     let places = [from, to].map(|v| place(&ground.items[v.item], v.knot));
-    ground.prices.minorant.air().seconds(places[0], places[1]) - ground.leg(from, to)
+    ground.prices.minorant.air().seconds(places[0], places[1]) - seconds
 }
 
 fn place(item: &Item, knot: usize) -> DVec2 {

@@ -36,7 +36,7 @@ mod refine;
 mod soft;
 
 use super::certificate::{Certificate, applies};
-use super::net::{Item, homes, items};
+use super::net::{Item, bases, homes, items};
 use super::pairs::Pairs;
 use super::prices::Prices;
 use crate::problem::Problem;
@@ -259,12 +259,8 @@ impl ShareBound {
 
     /// Makes room for the numbers of all knots.
     fn lay_out(&mut self) {
-        let mut knots = 0;
-        let start = |item: &Item| {
-            knots += item.knots;
-            knots - item.knots
-        };
-        self.base = self.items.iter().map(start).collect();
+        let (base, knots) = bases(&self.items);
+        self.base = base;
         self.pay = vec![0.0; knots];
         self.stay = vec![0.0; knots];
     }
