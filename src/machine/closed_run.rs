@@ -11,9 +11,8 @@
 //! In a sharp corner ([`super::SharpCorner`]) the head stops and waits in any case. A run that is entered there does
 //! not cut through it and saves the wait.
 //!
-//! The slowest place of the loop gives a lower bound on the cost of a stop. That bound is part of every run, and the
-//! extra seconds of a place are those above it, never less than 0. With sharp corners a stop may have a negative cost,
-//! because it saves a wait.
+//! The least cost of a stop at any place is part of every run, and the extra seconds of a place are those above it. With sharp corners a
+//! stop may have a negative cost, because it saves a wait.
 
 use super::lookahead::{ElementLimits, corner_speed2};
 use super::process::Process;
@@ -116,14 +115,39 @@ impl ClosedRun {
             piece.speed2 = piece.speed2.min(next.speed2 + 2.0 * accel * piece.length);
             piece.seconds = seconds(piece.length, piece.top2, piece.speed2, next.speed2, accel);
         }
-        // Braking costs least if the head runs at the slowest speed all the way.
-        let stop = if least2 > 0.0 {
-            seconds(length, least2, 0.0, 0.0, accel) - length / least2.sqrt()
-        } else {
-            0.0
-        };
         let nonstop = pieces.iter().map(|p| p.seconds).sum::<f64>() + sharp as f64 * wait;
-        Some(Self { accel, length, nonstop, stop: stop - saved, wait, uniform, rounds: 1.0, pieces })
+        let mut run = Self { accel, length, nonstop, stop: -saved, wait, uniform, rounds: 1.0, pieces };
+        if least2 > 0.0 {
+            run.stop = run.least_stop(least2);
+        }
+        Some(run)
+    }
+
+    /// The least seconds of a stop, where the head is nowhere slower than the root of `least2`. Moving a stop forwards changes its seconds
+    /// by 1 / v for the speed at which the ramp behind meets the profile, less the same for the ramp ahead. Both speeds jump only where
+    /// a ramp comes past a place after which the head speeds up. Between jumps, the one behind does not fall and the one ahead does not
+    /// rise, so the seconds are least at a jump.
+    fn least_stop(&self, least2: f64) -> f64 {
+        if self.uniform {
+            return seconds(self.length, least2, 0.0, 0.0, self.accel) - self.length / least2.sqrt();
+        }
+        let n = self.pieces.len();
+        let mut least = self.extra(0.0);
+        for (i, piece) in self.pieces.iter().enumerate() {
+            let [before, next] = [n - 1, 1].map(|k| &self.pieces[(i + k) % n]);
+            let highest2 = piece.top2.min(0.5 * (piece.speed2 + next.speed2) + self.accel * piece.length);
+            if highest2 > self.accel * self.length {
+                // The ramps meet each other.
+                return 2.0 * (self.length / self.accel).sqrt() - self.nonstop;
+            }
+            if piece.speed2 < piece.top2.max(before.top2) {
+                let ramp = piece.speed2 / (2.0 * self.accel);
+                for along in [piece.start - ramp, piece.start + ramp] {
+                    least = least.min(self.extra(along - self.length * (along / self.length).floor()));
+                }
+            }
+        }
+        least
     }
 
     /// The same, run several times, each from rest to rest at the same entry.

@@ -113,6 +113,21 @@ fn extra_seconds_match_the_path_re_cut_to_start_there() {
     }
 }
 
+/// [`ClosedRun::least`] was less than the run from any entry, so that no job with corners was proven optimal to the end.
+#[test]
+fn some_entry_has_no_extra_seconds() {
+    for profile in presets() {
+        for (name, path) in shapes() {
+            let Some(run) = ClosedRun::new(&profile, &profile.cut, false, &path.segments) else { continue };
+            let length = path.length();
+            let places =
+                (0..20_000).map(|k| length * f64::from(k) / 20_000.0).chain(run.joints().map(|j| j.0));
+            let least = places.map(|along| run.extra(along)).fold(f64::INFINITY, f64::min);
+            assert!(least < 1e-6, "{} {name}: {least}", profile.name);
+        }
+    }
+}
+
 /// At GRBL's defaults the head takes a right angle at 7 mm/s and the sides at 35 mm/s, so a stop at a corner costs a
 /// fraction of one on a side.
 #[test]
