@@ -26,7 +26,7 @@ import { generated } from '../benchmark/generate.mjs';
 import { byHand, drawn, PATTERNS, SIDES } from './solve/grids.mjs';
 import { generalisedFrom } from './solve/clusters.mjs';
 import { MARKS as HOLE_MARKS } from './solve/holes.mjs';
-import { at, baseline, BOUND, HERE, inWasm, NATIVE, natively, off, percent, proven, PYTHON } from './solve/runs.mjs';
+import { at, baseline, boundsOf, HERE, inWasm, NATIVE, natively, off, percent, proven, PYTHON } from './solve/runs.mjs';
 import { partial, plates } from './solve/stops.mjs';
 
 /** Seconds after which values are printed. */
@@ -188,7 +188,7 @@ function proofs({ seconds, only = '', instances }) {
     console.log(row.join('  '));
     return { row, optimal, seconds: needed };
   };
-  const last = (file, ...more) => [...new Map(rows(BOUND, [file, '--seconds', String(seconds), ...more]).map((row) => [row.instance, row])).values()];
+  const last = (file, ...more) => [...new Map(boundsOf(file, '--seconds', String(seconds), ...more).map((row) => [row.instance, row])).values()];
   const points = instances.file('qu-du-43/qu_du_43.json');
   const anywhere = join(ROOT, 'tests', 'fixtures', 'qu-du-43', 'qu_du_43.dxf');
   if ('qu-du'.includes(only)) {
@@ -258,8 +258,7 @@ function boundsOfGtsplib({ seconds, only, instances }) {
 /** The search's own bound and that by stops, natively, as shares of the best value known. */
 async function stops({ seconds, only = '', instances }) {
   const last = (file, flags, known, ...more) => {
-    const all = rows(BOUND, [file, ...flags, ...known, '--seconds', String(seconds), ...more]);
-    return all.at(-1);
+    return boundsOf(file, ...flags, ...known, '--seconds', String(seconds), ...more).at(-1);
   };
   const share = ({ bound, known }) => bound / known;
   const pair = (file, flags, known) => [last(file, flags, known), last(file, flags, known, '--stops')];

@@ -6,7 +6,7 @@ import { rows } from '../common/table.mjs';
 
 export const HERE = join(ROOT, 'benches', 'solve');
 export const NATIVE = join(HERE, 'target', 'release', 'kerfway-bench-solve');
-export const BOUND = join(HERE, 'target', 'release', 'bound');
+const BOUND = join(HERE, 'target', 'release', 'bound');
 const BASELINES = join(HERE, 'baselines.py');
 export const PYTHON = process.env.KERFWAY_PYTHON ?? 'python3';
 
@@ -31,9 +31,14 @@ export function at(run, seconds) {
   return run.trace.findLast(([s]) => s <= seconds)?.[1] ?? run.trace[0][1];
 }
 
+/** The lines that the program of the lower bound prints for a file, without those about certificates. */
+export function boundsOf(file, ...args) {
+  return rows(BOUND, [file, ...args]).filter((row) => row.bound !== undefined);
+}
+
 /** The lower bound that is proven for each instance of a file within some seconds, natively. */
 export function proven(file, seconds) {
-  return new Map(rows(BOUND, [file, '--seconds', String(seconds)]).map((row) => [row.instance, row.bound]));
+  return new Map(boundsOf(file, '--seconds', String(seconds)).map((row) => [row.instance, row.bound]));
 }
 
 /** How far a value is above the proven bound. */
