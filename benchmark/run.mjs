@@ -1,7 +1,7 @@
 // npm run benchmark -- COMMAND: the public benchmark of cutting paths. README.md says what it is.
 //
 //     check FOLDER                       checks the plans of a folder with check.py, which needs Python and nothing else
-//     solve FOLDER [--seconds S]         writes Kerfway's plans into a folder [--only NAME] [--seed N] [--track T]
+//     solve FOLDER [--seconds S]         writes Kerfway's plans into a folder [--only NAME] [--seed N] [--track T] [--prove S]
 //     trace [--only NAME]                writes how our values fall over the seconds into `traces`, for the plots of the site
 //     compare FOLDER [--only NAME]       writes the plans of other programs into folders below, those that are installed [--by PROGRAM]
 //     keep FOLDER                        takes the plans of a folder that are sound and better into `best`
@@ -20,11 +20,11 @@ const COMMANDS = {
   async check({ folder }) {
     run('python3', [join(HERE, 'check.py'), needed(folder)]);
   },
-  async solve({ folder, only, track, seconds, seed }) {
+  async solve({ folder, only, track, seconds, seed, prove }) {
     const { solved } = await import('./solve.mjs');
     mkdirSync(needed(folder), { recursive: true });
     for (const { entry, instance } of instances({ only, track })) {
-      const { plan, bound } = await solved(instance, { seconds }, seed);
+      const { plan, bound } = await solved(instance, { seconds, prove: prove && { seconds: prove } }, seed);
       writeFileSync(join(folder, `${entry.name}.json.gz`), gzipSync(JSON.stringify({ ...plan, bound }), { level: 9 }));
       console.log(`${entry.name.padEnd(24)} ${plan.by}, ${seconds} s, lower bound ${bound.toFixed(3)}`);
     }
@@ -71,14 +71,14 @@ const COMMANDS = {
 main(async () => {
   const { values, positionals } = parseArgs({
     allowPositionals: true,
-    options: { only: { type: 'string' }, by: { type: 'string' }, track: { type: 'string' }, seconds: { type: 'string' }, seed: { type: 'string' }, count: { type: 'string' } },
+    options: { only: { type: 'string' }, by: { type: 'string' }, track: { type: 'string' }, seconds: { type: 'string' }, seed: { type: 'string' }, count: { type: 'string' }, prove: { type: 'string' } },
   });
   const [name, folder] = positionals;
   const command = Object.hasOwn(COMMANDS, name ?? '') ? COMMANDS[name] : undefined;
   if (command === undefined) throw new Stop(`Which command? npm run benchmark -- ${Object.keys(COMMANDS).join('|')}`);
   await command({
     ...{ folder: folder && resolve(folder), only: values.only ?? '', by: values.by ?? '', track: values.track },
-    ...{ seconds: positive('seconds', values.seconds, 10), seed: positive('seed', values.seed, 1), count: positive('count', values.count, 50) },
+    ...{ seconds: positive('seconds', values.seconds, 10), seed: positive('seed', values.seed, 1), count: positive('count', values.count, 50), prove: positive('prove', values.prove) },
   });
 });
 
@@ -88,7 +88,8 @@ function needed(folder) {
 }
 
 function positive(name, text, otherwise) {
-  const value = text === undefined ? otherwise : Number(text);
+  if (text === undefined) return otherwise;
+  const value = Number(text);
   if (!(value > 0 && Number.isFinite(value))) throw new Stop(`--${name} needs a number above 0, not ${text}.`);
   return value;
 }

@@ -21,25 +21,38 @@ function machine({ track, cost, home, closed }) {
 
 /**
  * A plan for an instance, with its lower bound if there is one, and the values found on the way with their seconds; budget: `seconds`
- * or `moves`.
+ * or `moves`. `prove`: the budget of a thread of its own that works on the bound, `seconds` or `work`.
  */
-export async function solved(instance, budget, seed = 1) {
+export async function solved(instance, { prove, ...budget }, seed = 1) {
   if (instance.gtsplib) return tour(instance, budget, seed);
-  const options = { keepBorder: true, commonCuts: 'off', joinTolerance: 1e-5, copyTolerance: 1e-5, tolerance: 1e-5 };
+  const reading = { keepBorder: true, commonCuts: 'off', joinTolerance: 1e-5, copyTolerance: 1e-5, tolerance: 1e-5 };
   // The default method stops anywhere on a contour; the method of the paper can be told to stop at ends of lines and arcs only.
   const at = instance.track === 'ECP' ? { method: 'partition-tree', parameters: { nodes: 'element-ends' } } : { method: 'tour-tree' };
   const trace = [];
   const onProgress = ({ seconds, summary: { air_time: air, pierce_time: pierce } }) => {
     if (trace.at(-1)?.[1] !== air + pierce) trace.push([Number(seconds.toFixed(3)), air + pierce]);
   };
-  const { moves, summary } = await planned(Buffer.from(asDxf(instance)), { ...options, machine: machine(instance), ...at, seed, ...budget, onProgress });
-  const bound = Math.max(0, (summary.lower_bound ?? 0) - (summary.total_time - summary.air_time - summary.pierce_time));
-  return { trace, plan: { by: `kerfway ${at.method}, seed ${seed}`, moves }, bound };
+  const planner = await (await kerfway()).createPlanner();
+  try {
+    await planner.load(Buffer.from(asDxf(instance)), 'instance.dxf', reading);
+    const run = planner.plan({ machine: machine(instance), ...at, seed, ...budget }, onProgress);
+    await run.started;
+    const proof = prove === undefined ? null : planner.prove(prove).done;
+    await Promise.all([run.done, proof]);
+    const { moves, summary } = JSON.parse(await planner.output('json'));
+    const other = summary.total_time - summary.air_time - summary.pierce_time;
+    const bound = Math.max(0, (summary.lower_bound ?? 0) - other, ((await proof)?.seconds ?? 0) - other);
+    return { trace, plan: { by: `kerfway ${at.method}, seed ${seed}`, moves }, bound };
+  } finally {
+    planner.close();
+  }
 }
+
+const kerfway = () => import(pathToFileURL(join(DIST, 'sdk', 'node.js')).href);
 
 /** The plan document of a drawing. */
 export async function planned(bytes, options) {
-  const { plan } = await import(pathToFileURL(join(DIST, 'sdk', 'node.js')).href);
+  const { plan } = await kerfway();
   return JSON.parse((await plan(bytes, { ...options, outputs: ['json'] })).outputs.json);
 }
 

@@ -109,6 +109,13 @@ describe('the reference checker', NEEDS_PYTHON, () => {
       assert.ok(Number(text) >= bound, `${text} is at least the bound ${bound}`);
     });
   }
+
+  it('is given a higher bound where a thread of its own works on it', async (t) => {
+    const instance = generated({ seed: 7, count: 30, track: 'ICP' });
+    const [alone, beside] = [await solved(instance, { moves: 20_000 }), await solved(instance, { moves: 20_000, prove: { work: 100 } })];
+    const value = Number(checked(t, instance, beside.plan).text);
+    assert.ok(beside.bound > 1.2 * alone.bound && beside.bound <= value, `${alone.bound}, ${beside.bound} of ${value}`);
+  });
 });
 
 it('instances made by seed are the same everywhere', () => {
