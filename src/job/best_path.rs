@@ -144,6 +144,13 @@ impl BestPath {
             let home = self.contours.len();
             stop = next.map_or(home, |c| rest.into_iter().find(|s| *s.1 == c).map_or(stop, |s| s.0));
             let before = index.checked_sub(1).and_then(|k| plan.moves.get(k));
+            // Where the head waits before it cuts through waste, it has arrived before that.
+            let arrived = match before {
+                Some(Move::Wait { .. }) if PLANS_ALL_LEVERS => {
+                    index.checked_sub(2).and_then(|k| plan.moves.get(k))
+                }
+                _ => before,
+            };
             let kind = match step {
                 Move::Air { way: Way::Around, .. } => 1,
                 Move::Air { way: Way::Lifted, .. } => 2,
@@ -155,7 +162,7 @@ impl BestPath {
             if let Some(noted) = self.ways.get_mut(stop) {
                 *noted = kind.max(*noted);
             }
-            let via = match (step, before) {
+            let via = match (step, arrived) {
                 (Move::Air { to, way: Way::Around }, _) => Some(to),
                 (Move::Chain { .. }, Some(Move::Air { to, .. })) => Some(to),
                 _ => None,

@@ -316,11 +316,8 @@ impl Profile {
     /// The field that a machine with chains must not have.
     fn without_chains(&self) -> Option<&'static str> {
         self.levers.chains?;
-        let fields = [
-            ("pre_cut_time", self.pre_cut_time.is_some()),
-            ("sharp_corner", self.sharp_corner.is_some()),
-            ("levers.heat", self.levers.heat.is_some()),
-        ];
+        let fields =
+            [("pre_cut_time", self.pre_cut_time.is_some()), ("sharp_corner", self.sharp_corner.is_some())];
         fields.into_iter().find(|f| f.1).map(|f| f.0)
     }
 

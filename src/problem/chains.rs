@@ -17,6 +17,7 @@ use super::links::{Link, Links};
 use super::model::{Item, Node};
 use super::seconds::start_seconds;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment};
+use crate::heat::Cooling;
 use crate::lead::{Scrap, starts_moving};
 use crate::machine::{AirTime, Chains, PLANS_ALL_LEVERS, Profile, cut_time};
 use crate::order::{real, sort_by};
@@ -223,14 +224,16 @@ impl<'s> Candidates<'s> {
         begins.leaves(way) && ends.leaves(-way) && self.scrap.joins(contours, from, entry)
     }
 
-    /// The links between the nodes of the contours.
-    pub(super) fn links(&self, items: &[Item], nodes: &[Node]) -> Links {
+    /// The links between the nodes of the contours. A chain begins as the contour before it ends, so there is none between near contours that wait until
+    /// they are cold.
+    pub(super) fn links(&self, items: &[Item], nodes: &[Node], cooling: Option<&Cooling>) -> Links {
         let (sheet, machine) = (self.sheet, self.machine);
         let air = AirTime::new(machine);
         let mut found = Vec::new();
         for (a, b) in self.pairs() {
             let (Some(first), Some(second)) = (self.all.get(a), self.all.get(b)) else { continue };
             let process = sheet.process_by_id(first.contour, machine);
+            let waits = cooling.is_some_and(|c| c.waits() && c.are_near(first.contour, second.contour));
             for (one, other) in [(first, second), (second, first)] {
                 let ends = self.ends(one, items, nodes, false);
                 // What the item's own seconds contain: a contour that begins moving is not pierced.
@@ -248,7 +251,7 @@ impl<'s> Candidates<'s> {
                     let from_ends: Vec<Option<f64>> = ends.iter().map(cut).collect();
                     let edges = self.edges(one, &ends, &from_ends, entry.place, cut);
                     for (exit, seconds) in ends.iter().zip(from_ends) {
-                        let chain = seconds.map(|s| (s - start, None));
+                        let chain = seconds.filter(|_| !waits).map(|s| (s - start, None));
                         let edge = edges.iter().map(|&(place, seconds)| {
                             let lit = seconds + machine.beam_delays();
                             (air.seconds(exit.place, place) + lit - start, Some(place))

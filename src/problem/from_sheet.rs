@@ -44,7 +44,7 @@ use crate::sheet::{Contour, Operation, Sheet};
 /// * Fly cuts: if the machine cuts rows and grids on the run, the item of the first contour stands for all of them, and its nodes
 ///   are ways through them.
 /// * Chains: where contours may be joined through waste, their nodes include places opposite each other, and links between nodes
-///   say what a chain takes. A contour with links is entered at its nodes only.
+///   say what a chain takes. A contour with links is entered at its nodes only. Where near cuts wait until they are cold, they have no chain between them.
 /// * Edge starts: a contour near the edge of the sheet is also entered from there, without piercing. What begins on the kerfs of others, once they are
 ///   cut, and skeleton cuts that begin at the edge or on each other, have starts beside their nodes.
 /// * Joints: a contour with micro-joints is entered where its leads are away from them, or at the end of one. It is not left
@@ -149,7 +149,8 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
         });
     }
     let on_kerfs = starts.map(|s| s.on_kerfs(&items, &nodes)).unwrap_or_default();
-    let links = chained.map_or_else(Links::default, |c| c.links(&items, &nodes));
+    let cooling = heat::cooling(sheet, machine);
+    let links = chained.map_or_else(Links::default, |c| c.links(&items, &nodes, cooling.as_deref()));
     let starts = starts_of(sheet, machine, &items, &nodes, &links, on_kerfs);
     for item in items.iter_mut() {
         if item.nodes.clone().any(|n| links.touch(n) || !starts.of(n).is_empty()) {
@@ -166,7 +167,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
         groups: groups(sheet),
         table: None,
         zones,
-        cooling: heat::cooling(sheet, machine),
+        cooling,
         links,
         starts,
     }

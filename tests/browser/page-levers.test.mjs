@@ -95,6 +95,7 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
     assert.ok(waiting.summary.waits > 0);
     await page.locator('dt.waits').waitFor();
     assert.ok(await machine.getByLabel('Cut rows and grids on the run').isDisabled());
+    assert.ok(await machine.getByLabel('Join contours through waste').isEnabled(), 'both at once');
     await replanned(page, () => machine.getByLabel('Charge for a pair').fill('0.01'));
     const charged = await plan(page);
     assert.deepEqual([charged.summary.waits, charged.summary.hot_pairs > 0], [undefined, true]);

@@ -157,7 +157,7 @@ fn leads_are_joined_from_tip_to_tip() {
 
 /// What a test's own formulas say of a chain between two places: its seconds beside those of the move and the piercing that it
 /// stands for, `None` if it has no room. `slope`: how steeply it has to leave its contours.
-fn chain_seconds(
+pub(super) fn chain_seconds(
     sheet: &Sheet,
     machine: &Profile,
     [a, b]: [u32; 2],

@@ -491,6 +491,28 @@ describe('heat', () => {
     assert.ok(saved[0].seconds < 0, JSON.stringify(saved));
   });
 
+  it('goes together with chains: the head waits on kerfs, and a charge is paid at chains', async () => {
+    const thick = planner.machines.find((m) => m.name === 'fibre-6kw-thick');
+    const planned = async (heat) => {
+      await planner.load(dxf(...[[0, 0], [28, 0], [0, 28], [28, 28]].map(([x, y]) => square(10 + x, 10 + y, 20))), 'nest.dxf');
+      const levers = { chains: { reach: 30, clearance: 1, edge_starts: true }, heat: { distance: 12, seconds: 3, ...heat } };
+      const { progress } = await planner.plan({ machine: { ...thick, levers }, seed: 1, moves: 100_000 }).done;
+      const check = await planner.check();
+      assert.deepEqual([check.passed, check.problems], [true, []]);
+      return { ...JSON.parse(await planner.output('json')), path: progress.path, gcode: await planner.output('gcode') };
+    };
+    const [waiting, charged] = [await planned({}), await planned({ charge: 0.1 })];
+    assert.deepEqual([waiting.summary.pierces, waiting.summary.waits, waiting.summary.edge_starts], [1, 3, 3]);
+    const kinds = waiting.moves.map((m) => m.kind);
+    assert.equal(kinds.filter((kind, k) => kind === 'wait' && kinds[k + 1] === 'chain').length, 3);
+    assert.equal(waiting.gcode.match(/from a kerf or an edge through waste/g)?.length, 3);
+    // The path says where it waits before it cuts through waste.
+    assert.deepEqual([...waiting.path.ways].slice(0, 4), [0, 5, 5, 5]);
+    assert.deepEqual([...waiting.path.waits].map((seconds) => seconds > 2), [false, true, true, true]);
+    assert.deepEqual([charged.summary.pierces, charged.summary.waits, charged.summary.chains, charged.summary.edge_starts], [1, undefined, 3, undefined]);
+    assert.ok(charged.summary.hot_pairs > 0);
+  });
+
   it('contradicts cuts on the run', async () => {
     await planner.load(GRID, 'grid.dxf');
     await assert.rejects(planner.plan(options({ heat: HEAT, fly: { reach: 20 } })).done, /levers\.heat and levers\.fly/);

@@ -1,9 +1,11 @@
 //! Replays when each cut begins and ends, and looks for cuts that follow one near them too soon.
 //!
+//! A cut through waste belongs to the cut that follows it: that one begins where the beam does.
+//!
 //! It shares no formula with `src/heat` and `plan/cooled.rs`: seconds are added up with the formulas of `sums.rs`, and the distance of two
 //! lines is that of places along one from the elements of the other, halved until it is clear.
 
-use super::sums::{air_time, is_lifted};
+use super::sums::{air_time, is_lifted, trapezoid};
 use super::violation::Violation;
 use crate::geometry::{DVec2, Path, Segment};
 use crate::machine::{PLANS_ALL_LEVERS, Profile, cut_time};
@@ -153,12 +155,17 @@ struct Clock<'a> {
     height: f64,
     moving: bool,
     motion: Vec<Segment>,
+    /// Length of the cut through waste that leads to the next cut, mm, and whether the beam was on before it.
+    chain: f64,
+    lit: bool,
+    after_cut: bool,
 }
 
 impl<'a> Clock<'a> {
     fn new(sheet: &'a Sheet, machine: &'a Profile) -> Self {
         let (head, motion) = (machine.home(), Vec::new());
-        Self { sheet, machine, seconds: 0.0, head, height: 0.0, moving: false, motion }
+        let (chain, lit, after_cut) = (0.0, false, false);
+        Self { sheet, machine, seconds: 0.0, head, height: 0.0, moving: false, motion, chain, lit, after_cut }
     }
 
     fn add(&mut self, m: &Move, goes_on: bool) {
@@ -184,8 +191,12 @@ impl<'a> Clock<'a> {
                 self.motion.extend(path);
                 0.0
             }
-            // A machine that minds heat has no chains.
-            Move::Chain { .. } => 0.0,
+            // At the speed of the cut that follows. Right after a cut, the beam is on.
+            Move::Chain { path } => {
+                self.chain = path.iter().map(|s| s.end().distance(s.start())).sum();
+                self.lit = self.after_cut;
+                0.0
+            }
             Move::MovingStart => {
                 self.moving = true;
                 0.0
@@ -196,12 +207,16 @@ impl<'a> Clock<'a> {
                     0.0
                 } else {
                     let on = if std::mem::take(&mut self.moving) { 0.0 } else { machine.beam_on_delay };
+                    let delays = on + machine.beam_off_delay;
                     let process = self.sheet.process_by_id(*contour, machine);
+                    let accel = process.accel.unwrap_or(f64::INFINITY);
+                    let chain = trapezoid(std::mem::take(&mut self.chain), process.speed, accel);
                     let along = cut_time(machine, &process, &std::mem::take(&mut self.motion));
-                    on + along + machine.beam_off_delay
+                    chain + along + if std::mem::take(&mut self.lit) { 0.0 } else { delays }
                 }
             }
         };
+        self.after_cut = matches!(m, Move::Cut { .. });
         self.head = m.end().unwrap_or(self.head);
     }
 }

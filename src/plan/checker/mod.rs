@@ -150,8 +150,9 @@ fn follow(
             }
             Move::Macro { .. } => {}
             Move::Chain { path } => {
-                // On which kerf it begins after an air move is looked at elsewhere.
-                let starts = before.is_some() || step > 0 && matches!(plan.moves[step - 1], Move::Air { .. });
+                // On which kerf it begins after an air move or a wait is looked at elsewhere.
+                let starts = before.is_some()
+                    || step > 0 && matches!(plan.moves[step - 1], Move::Air { .. } | Move::Wait { .. });
                 if !starts || path.is_empty() {
                     found.push(Violation::Beam { step, what: "cuts through waste without a cut before it" });
                 }

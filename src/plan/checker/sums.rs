@@ -240,7 +240,7 @@ pub(super) fn air_time(machine: &Profile, way: DVec2, lifted: bool) -> f64 {
 }
 
 /// Seconds for `distance` from rest to rest with top speed `v` and acceleration `a`.
-fn trapezoid(distance: f64, v: f64, a: f64) -> f64 {
+pub(super) fn trapezoid(distance: f64, v: f64, a: f64) -> f64 {
     let to_reach_speed = v * v / (2.0 * a);
     if distance < 2.0 * to_reach_speed {
         2.0 * (distance / a).sqrt()

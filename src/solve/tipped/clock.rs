@@ -2,7 +2,11 @@
 //!
 //! A change of a window moves everything after it in time. It is replayed from the beginning of the window until all stops have moved by
 //! the same seconds for as long as cuts stay hot: from then on, what is due is what it was.
+//!
+//! Where a cut may be begun in more than one way, which of them is best depends on when it is reached (`begin.rs`). What is due then includes what the
+//! best way takes longer than the quickest one, which is what legs are.
 
+use super::begin::{Beginning, hot};
 use super::visit::Visit;
 use crate::heat::Cooling;
 
@@ -17,6 +21,9 @@ pub(super) struct Window {
     /// Number of stops that went from its beginning to its end, if all else kept its order.
     pub(super) rotated: Option<usize>,
 }
+
+/// The price of a beginning, by when the cut begins and the seconds that it takes (`begin.rs`).
+pub(super) type Price<'a> = dyn Fn(Option<f64>, f64) -> f64 + 'a;
 
 /// A place in a stretch of stops that keep their order.
 struct Stretch {
@@ -63,11 +70,16 @@ impl<'p> Clock<'p> {
         Self { cooling, ends: none(), dues: none(), new_ends: none(), new_dues: none() }
     }
 
-    /// The times of a new sequence; returns the seconds of all that is due.
-    pub(super) fn begin(&mut self, visits: &[Visit], legs: &[f64]) -> f64 {
+    /// The times of a new sequence; returns the seconds of all that is due. `best`: as for [`Clock::replay`].
+    pub(super) fn begin(
+        &mut self,
+        visits: &[Visit],
+        legs: &[f64],
+        best: impl Fn(usize, &Price<'_>) -> Option<Beginning>,
+    ) -> f64 {
         self.ends = vec![f64::INFINITY; visits.len()];
         self.dues = vec![0.0; visits.len()];
-        let due = self.replay(visits, legs, &[], Window { low: 0, rotated: None }).0;
+        let due = self.replay(visits, legs, &[], Window { low: 0, rotated: None }, best).0;
         self.keep(0);
         due
     }
@@ -98,13 +110,15 @@ impl<'p> Clock<'p> {
     }
 
     /// Replays the stops from the beginning of a window on; `new_legs` has the legs of the window and the one after it. Returns by how much
-    /// more is due than before, s, and how many stops were looked at. [`Clock::keep`] makes it so.
+    /// more is due than before, s, and how many stops were looked at. [`Clock::keep`] makes it so. `best`: the best way to begin the cut at a position by a
+    /// price; `None` if there is but one.
     pub(super) fn replay(
         &mut self,
         visits: &[Visit],
         legs: &[f64],
         new_legs: &[f64],
         window: Window,
+        best: impl Fn(usize, &Price<'_>) -> Option<Beginning>,
     ) -> (f64, u64) {
         let (cooling, low) = (self.cooling, window.low);
         let high = low + new_legs.len().saturating_sub(1);
@@ -119,12 +133,22 @@ impl<'p> Clock<'p> {
         let mut k = low;
         while let Some(visit) = visits.get(k) {
             let leg = new_legs.get(k - low).or(legs.get(k)).copied().unwrap_or(0.0);
-            let (before, arrival) = (now, now + leg);
+            let before = now;
             let replayed = self.new_ends.iter().zip(visits.iter().skip(low)).rev();
             let kept = self.ends.iter().zip(visits).take(low).rev();
-            let due = cooling.due(visit.item, arrival, replayed.chain(kept).map(|(end, v)| (v.item, *end)));
-            let cost = cooling.cost(due);
-            now = arrival + due.wait + visit.seconds;
+            let cut = replayed.chain(kept).map(|(end, v)| (v.item, *end));
+            let cost = match best(k, &hot(cooling, visit.item, now, cut.clone())) {
+                Some(best) => {
+                    now = best.end(cooling, now, visit.seconds);
+                    best.price - leg
+                }
+                None => {
+                    let arrival = now + leg;
+                    let due = cooling.due(visit.item, arrival, cut);
+                    now = arrival + due.wait + visit.seconds;
+                    cooling.cost(due)
+                }
+            };
             self.new_ends.push(now);
             self.new_dues.push(cost);
             more += cost - self.due(k);
@@ -217,7 +241,7 @@ mod tests {
             };
             let mut legs = legs_of(&visits);
             let mut clock = Clock::new(&cooling);
-            let mut total = clock.begin(&visits, &legs);
+            let mut total = clock.begin(&visits, &legs, |_, _| None);
             for _ in 0..600 {
                 let low = rng.below(visits.len() - 2);
                 let high = low + 2 + rng.below(visits.len() - 1 - low);
@@ -226,12 +250,13 @@ mod tests {
                 visits[low..high].rotate_left(ahead);
                 let changed = legs_of(&visits);
                 let window = Window { low, rotated: Some(ahead) };
-                let (more, looked_at) = clock.replay(&visits, &legs, &changed[low..=high], window);
+                let (more, looked_at) =
+                    clock.replay(&visits, &legs, &changed[low..=high], window, |_, _| None);
                 skipped += visits.len() as u64 - low as u64 - looked_at;
                 clock.keep(low);
                 (legs, total) = (changed, total + more);
                 let mut whole = Clock::new(&cooling);
-                let all = whole.begin(&visits, &legs);
+                let all = whole.begin(&visits, &legs, |_, _| None);
                 assert!((all - total).abs() < 1e-6, "{all} s, not {total} s");
                 let off = whole.ends.iter().zip(&clock.ends).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                 assert!(off < 1e-6 && whole.dues.iter().zip(&clock.dues).all(|(a, b)| (a - b).abs() < 1e-6));

@@ -3,7 +3,7 @@
 //! What a leg costs depends on the set of items that have been cut before it, and not on their order, so the states are the
 //! same as without tipped pieces. So it is with the kerfs on which a cut may begin.
 
-use super::begin::{Head, Ways, begin, straight};
+use super::begin::{Beginning, Head, Ways, begin, cold, straight};
 use crate::geometry::DVec2;
 use crate::machine::AirTime;
 use crate::problem::{Item, ItemId, NodeId, Problem};
@@ -31,15 +31,14 @@ pub(super) fn optimum(problem: &Problem) -> Option<(Vec<Stop>, u64)> {
     if !is_small(problem) {
         return None;
     }
-    let visited = (0..).zip(&problem.items).filter(|(_, i)| !i.nodes.is_empty());
-    let items: Vec<ItemId> = visited.map(|(id, _)| id).collect();
-    Sets { problem, zones: problem.avoided(), items, air: straight(problem) }.solve()
+    Sets::new(problem).solve()
 }
 
-struct Sets<'p> {
-    problem: &'p Problem,
+/// The sets of items that are cut, as bits by their places in the list.
+pub(super) struct Sets<'p> {
+    pub(super) problem: &'p Problem,
     zones: Option<&'p Zones>,
-    items: Vec<ItemId>,
+    pub(super) items: Vec<ItemId>,
     air: AirTime,
 }
 
@@ -50,9 +49,15 @@ struct Best {
     before: Option<NodeId>,
 }
 
-impl Sets<'_> {
+impl<'p> Sets<'p> {
+    pub(super) fn new(problem: &'p Problem) -> Self {
+        let visited = (0..).zip(&problem.items).filter(|(_, i)| !i.nodes.is_empty());
+        let items = visited.map(|(id, _)| id).collect();
+        Self { problem, zones: problem.avoided(), items, air: straight(problem) }
+    }
+
     /// The items that must come before the item at a place in the list, as bits.
-    fn earlier(&self, place: usize) -> Option<usize> {
+    pub(super) fn earlier(&self, place: usize) -> Option<usize> {
         let id = *self.items.get(place)?;
         let item = self.problem.items.get(id as usize)?;
         let mut set = 0;
@@ -69,12 +74,23 @@ impl Sets<'_> {
         self.items.iter().position(|&i| i == item).is_some_and(|k| cut >> k & 1 == 1)
     }
 
-    /// Seconds of the leg to a node, or home.
-    fn leg(&self, head: Head, to: Option<NodeId>, entry: DVec2, cut: usize) -> f64 {
-        let is_free = |piece: &Piece| piece.cut_by.iter().all(|&c| self.is_cut(c, cut));
+    /// The cheapest way to begin the cut of a node.
+    pub(super) fn way(
+        &self,
+        head: Head,
+        to: (NodeId, DVec2),
+        cut: usize,
+        price: impl Fn(Option<f64>, f64) -> f64,
+    ) -> Beginning {
         let ways = Ways { air: &self.air, zones: self.zones };
+        begin(self.problem, ways, head, to, |i| self.is_cut(i, cut), price)
+    }
+
+    /// Seconds of the leg to a node, or home.
+    pub(super) fn leg(&self, head: Head, to: Option<NodeId>, entry: DVec2, cut: usize) -> f64 {
+        let is_free = |piece: &Piece| piece.cut_by.iter().all(|&c| self.is_cut(c, cut));
         match (self.zones, to) {
-            (_, Some(node)) => begin(self.problem, ways, head, (node, entry), |i| self.is_cut(i, cut)).1,
+            (_, Some(node)) => self.way(head, (node, entry), cut, cold).seconds,
             (Some(zones), None) => zones.leg(head.at, entry, is_free).seconds,
             (None, None) => self.air.seconds(head.at, entry),
         }

@@ -4,7 +4,7 @@
 //! those that are connected by starts on kerfs is, and the others come in the method's order as far as they can begin. Each is entered where
 //! the way to it, its cut, and the way to the next one take the fewest seconds.
 
-use super::begin::{Head, Ways, begin, straight};
+use super::begin::{Head, Ways, begin, cold, straight};
 use crate::geometry::Union;
 use crate::machine::AirTime;
 use crate::problem::{ItemId, NodeId, Problem};
@@ -96,7 +96,7 @@ impl Growth<'_> {
         let ways = Ways { air: self.air, zones: problem.avoided() };
         let price = |node: NodeId| {
             let (known, item) = (problem.nodes.get(node as usize)?, problem.items.get(item as usize)?);
-            let way = begin(problem, ways, self.head, (node, known.entry), |i| self.is_cut(i)).1;
+            let way = begin(problem, ways, self.head, (node, known.entry), |i| self.is_cut(i), cold).seconds;
             Some((node, way + item.extra(node, known.along) + self.air.seconds(known.exit, goal)))
         };
         let ways = nodes.into_iter().flat_map(|i| i.nodes.clone()).filter_map(price);

@@ -7,7 +7,7 @@
 //! begins where the method's best is and changes order, entries and directions where a move is in the way of a tipped piece, a cut
 //! has to wait, or the kerf it would begin on is cut later. Where cuts begin on kerfs, the method's order is also tried as one that grows from kerf
 //! to kerf (`grown.rs`). Where cuts heat each other, it begins as well at a path that always goes to where it can go on soonest (`soonest`).
-//! Small problems get the exact optimum over their nodes, where nothing is hot (`exact.rs`).
+//! Small problems get the exact optimum over their nodes, where nothing is hot (`exact.rs`), or where hot cuts may begin in several ways (`exact_hot.rs`).
 //!
 //! The costs that callers see are the exact ones.
 
@@ -17,6 +17,7 @@ mod clock;
 mod descent;
 mod entries;
 mod exact;
+mod exact_hot;
 mod grown;
 mod neighbours;
 mod pace;
@@ -30,6 +31,7 @@ use super::insight::Insight;
 use super::rng::seeded;
 use super::traits::{Search, Solution, Solver, Status, Step, Stop, Telemetry};
 use crate::problem::Problem;
+use begin::may_choose;
 pub use begin::{Begun, begun};
 use descent::{Descent, PATIENCE};
 use grown::grown;
@@ -161,18 +163,31 @@ impl Tipped<'_> {
 
     /// A piece of local search. Returns the number of moves priced; 0 if there is nothing to do.
     fn local(&mut self) -> u64 {
-        if !std::mem::replace(&mut self.tried_exact, true)
-            && self.problem.cooling().is_none()
-            && let Some((stops, priced)) = exact::optimum(self.problem)
-        {
-            let sequence = Sequence::new(self.problem, &stops);
-            self.descent.begin_at(sequence);
-            self.keep();
-            return priced;
+        if !std::mem::replace(&mut self.tried_exact, true) {
+            let (stops, priced) = self.exact();
+            if let Some(stops) = stops {
+                let sequence = Sequence::new(self.problem, &stops);
+                self.descent.begin_at(sequence);
+                self.keep();
+            }
+            if priced > 0 {
+                return priced;
+            }
         }
         let priced = self.descent.advance();
         self.keep();
         priced
+    }
+
+    /// The best stops of a small problem, if they are better than those known, with the number of moves priced.
+    fn exact(&self) -> (Option<Vec<Stop>>, u64) {
+        match self.problem.cooling() {
+            Some(cooling) if may_choose(self.problem) => {
+                exact_hot::optimum(self.problem, cooling, self.best.cost)
+            }
+            Some(_) => (None, 0),
+            None => exact::optimum(self.problem).map_or((None, 0), |(stops, priced)| (Some(stops), priced)),
+        }
     }
 
     /// Takes the local search's best over, if it is better.

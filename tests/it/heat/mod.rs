@@ -1,6 +1,7 @@
 //! Heat (`levers.heat`): which cuts are near each other, what the search finds where they have to keep apart, and what the checker says.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests stop where they cannot go on")]
 
+mod chains;
 mod checker;
 mod order;
 mod search;

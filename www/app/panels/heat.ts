@@ -36,8 +36,8 @@ export function heatPanel(set: (change: ((heat: Heat) => void) | null) => void):
     show({ levers, pre_cut_time }) {
       const heat = levers?.heat;
       on.input.checked = Boolean(heat);
-      // What is cut on the run, joined, cut together or left unfinished is not planned with heat in mind.
-      on.input.disabled = !heat && (levers?.fly != null || levers?.chains != null || levers?.common_cuts != null || typeof pre_cut_time === 'number');
+      // What is cut on the run, cut together or left unfinished is not planned with heat in mind.
+      on.input.disabled = !heat && (levers?.fly != null || levers?.common_cuts != null || typeof pre_cut_time === 'number');
       more.hidden = !heat;
       if (!heat) return;
       for (const { q, show, row } of inputs) {

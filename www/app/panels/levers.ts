@@ -130,7 +130,7 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
       again.show(levers?.fly?.overcut ?? 0);
       chains.input.checked = Boolean(levers?.chains);
       // Chains are for machines that cut each contour in one go, and turn corners with the beam on.
-      chains.input.disabled = !levers?.chains && (typeof pre_cut_time === 'number' || sharp_corner != null || levers?.heat != null);
+      chains.input.disabled = !levers?.chains && (typeof pre_cut_time === 'number' || sharp_corner != null);
       joined.hidden = !levers?.chains;
       chainReach.show(levers?.chains?.reach ?? CHAINS.reach);
       clearance.show(levers?.chains?.clearance ?? CHAINS.clearance);

@@ -6,6 +6,7 @@
 //! then those that have been cut by then. Where cuts heat each other, the stops after
 //! the window are looked at as well, until what was changed has cooled (`clock.rs`).
 
+use super::super::begin::may_choose;
 use super::super::change::{Change, Proposal};
 use super::super::clock::Window;
 use super::super::visit::Visit;
@@ -101,15 +102,20 @@ impl Sequence<'_> {
         }
         let mut better = sum < now + due - gain && legs.len() == high + 1 - low;
         let mut saved = now - sum;
-        if let Some(clock) = self.clock.as_mut().filter(|_| better) {
+        if better && let Some(mut clock) = self.clock.take() {
+            // Where cuts may be begun in several ways, which of them there are depends on what has been cut before.
+            let rotated = change.rotated.filter(|_| !may_choose(self.problem));
             let (more, looked_at) =
-                clock.replay(&self.visits, &self.legs, &legs, Window { low, rotated: change.rotated });
+                clock.replay(&self.visits, &self.legs, &legs, Window { low, rotated }, |k, price| {
+                    self.best_way(k, price)
+                });
             self.priced += looked_at;
             saved -= more;
             better = saved > gain;
             if better {
                 clock.keep(low);
             }
+            self.clock = Some(clock);
         }
         if better {
             self.total -= saved;
@@ -141,11 +147,13 @@ impl Sequence<'_> {
         }
         self.straighten(low, high);
         self.total += sum(self) - before;
-        if let Some(clock) = &mut self.clock
-            && let Some(legs) = self.legs.get(low..=high)
-        {
-            self.total += clock.replay(&self.visits, &self.legs, legs, Window { low, rotated: None }).0;
+        if let Some(mut clock) = self.clock.take() {
+            let legs = self.legs.get(low..=high).unwrap_or_default();
+            let window = Window { low, rotated: None };
+            self.total +=
+                clock.replay(&self.visits, &self.legs, legs, window, |k, price| self.best_way(k, price)).0;
             clock.keep(low);
+            self.clock = Some(clock);
         }
     }
 

@@ -4,8 +4,8 @@
 
 mod changes;
 
-use super::begin::{Head, Ways, begin, straight};
-use super::clock::Clock;
+use super::begin::{Beginning, Head, Ways, begin, cold, may_choose, straight};
+use super::clock::{Clock, Price};
 use super::visit::Visit;
 use crate::geometry::DVec2;
 use crate::machine::AirTime;
@@ -82,8 +82,9 @@ impl<'p> Sequence<'p> {
         new.straights = (0..=new.visits.len()).map(|k| new.straight(k)).collect();
         new.legs = (0..=new.visits.len()).map(|k| new.leg(k)).collect();
         new.total = new.legs.iter().sum::<f64>() + new.visits.iter().map(|v| v.extra).sum::<f64>();
-        if let Some(clock) = &mut new.clock {
-            new.total += clock.begin(&new.visits, &new.legs);
+        if let Some(mut clock) = new.clock.take() {
+            new.total += clock.begin(&new.visits, &new.legs, |k, price| new.best_way(k, price));
+            new.clock = Some(clock);
         }
         new
     }
@@ -187,16 +188,36 @@ impl<'p> Sequence<'p> {
     /// Seconds of leg `k` with the quickest way to begin the cut there, if `is_cut` says which items have been cut before.
     fn begin(&self, k: usize, zones: Option<&Zones>, is_cut: impl Fn(ItemId) -> bool) -> f64 {
         let Some((from, to)) = self.ends(k) else { return 0.0 };
-        let Some(visit) = self.visits.get(k) else {
-            return match zones {
+        match self.way(k, zones, is_cut, cold) {
+            Some(way) => way.seconds,
+            None => match zones {
                 Some(zones) => zones.leg(from, to, |p| self.is_free(p, k)).seconds,
                 None => self.air.seconds(from, to),
-            };
-        };
+            },
+        }
+    }
+
+    /// The cheapest way to begin the cut at `k`; `None` on the way home.
+    fn way(
+        &self,
+        k: usize,
+        zones: Option<&Zones>,
+        is_cut: impl Fn(ItemId) -> bool,
+        price: impl Fn(Option<f64>, f64) -> f64,
+    ) -> Option<Beginning> {
+        let (from, to) = self.ends(k)?;
+        let node = self.visits.get(k)?.stop.node;
         let ways = Ways { air: &self.air, zones };
         let left = k.checked_sub(1).and_then(|before| self.visits.get(before)).map(|v| v.stop.node);
-        let head = Head { at: from, left };
-        begin(self.problem, ways, head, (visit.stop.node, to), is_cut).1
+        Some(begin(self.problem, ways, Head { at: from, left }, (node, to), is_cut, price))
+    }
+
+    /// The way to begin the cut at `k` that is best by a price; `None` if there is but one.
+    fn best_way(&self, k: usize, price: &Price<'_>) -> Option<Beginning> {
+        if !may_choose(self.problem) {
+            return None;
+        }
+        self.way(k, self.zones, |item| self.is_before(item, k), price)
     }
 
     /// Whether an item is cut before the stop at `k`.
