@@ -1,11 +1,12 @@
 // Makes pictures of the docs with the built package and page: `node scripts/pictures.mjs` after a build. docs/corners.png and
-// docs/kerf-starts.png and docs/bridges.png are written by the command line; docs/tips.png is what the page shows of pieces that tip and of the ways past them.
+// docs/kerf-starts.png, docs/bridges.png and docs/bridges-cut.png are written by the command line; docs/tips.png is what the page shows of pieces that tip and of the ways past them.
 
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { dxf, polygon } from '../tests/package/support.mjs';
 import { machineSection, openPlanned, replanned, SIZES, still } from '../tests/browser/page-support.mjs';
+import { createPlanner } from '../dist/sdk/node.js';
 import { main, ROOT, run } from './tools.mjs';
 
 /** A star with five tips, and a window with three notches that point inwards. */
@@ -33,15 +34,19 @@ function kerfStarts(folder) {
   run(process.execPath, [join(ROOT, 'dist', 'sdk', 'cli.js'), 'plan', file, ...options, '--moves', '100000', '--seed', '1', '--png', join(ROOT, 'docs', 'kerf-starts.png'), '--quiet']);
 }
 
-/** Two rows of brackets with a hole each, connected to one piece. */
-function bridges(folder) {
+/** Two rows of brackets with a hole each, connected to one piece: left so, and cut apart later in plate that takes 3 s to pierce. */
+function bridges(folder, planner) {
   const file = join(folder, 'brackets.dxf');
   const bracket = (x, y) => polygon([[x, y], [x + 50, y], [x + 50, y + 14], [x + 14, y + 14], [x + 14, y + 40], [x, y + 40]]);
   const window = (x, y) => polygon([[x + 24, y + 4], [x + 42, y + 4], [x + 42, y + 10], [x + 24, y + 10]]);
   const places = [0, 1, 2].flatMap((k) => [[10 + 62 * k, 10], [10 + 62 * k, 62]]);
   writeFileSync(file, dxf(...places.flatMap(([x, y]) => [bracket(x, y), window(x, y)])));
-  const options = ['--machine', 'fibre-6kw-thick', '--bridges', '15', '--bridge-width', '4'];
-  run(process.execPath, [join(ROOT, 'dist', 'sdk', 'cli.js'), 'plan', file, ...options, '--moves', '100000', '--seed', '1', '--png', join(ROOT, 'docs', 'bridges.png'), '--quiet']);
+  const slow = join(folder, 'slow.json');
+  writeFileSync(slow, JSON.stringify({ ...planner.machines.find((m) => m.name === 'fibre-6kw-thick'), name: 'slow', pierce_time: 3 }));
+  for (const [machine, name, ...more] of [['fibre-6kw-thick', 'bridges.png'], [slow, 'bridges-cut.png', '--cut-bridges']]) {
+    const options = ['--machine', machine, '--bridges', '15', '--bridge-width', '4', ...more];
+    run(process.execPath, [join(ROOT, 'dist', 'sdk', 'cli.js'), 'plan', file, ...options, '--moves', '100000', '--seed', '1', '--png', join(ROOT, 'docs', name), '--quiet']);
+  }
 }
 
 /** A sheet of 100 contours on the page: pieces that tip in amber, moves around them, and over them with the head lifted. */
@@ -60,7 +65,9 @@ await main(async () => {
   const folder = mkdtempSync(join(tmpdir(), 'kerfway-'));
   corners(folder);
   kerfStarts(folder);
-  bridges(folder);
+  const planner = await createPlanner();
+  bridges(folder, planner);
+  planner.close();
   rmSync(folder, { recursive: true });
   await tips();
 });
