@@ -2,7 +2,7 @@
 //!
 //! A certificate file names the drawing by its hash and holds everything that decides what a plan takes: how the drawing is
 //! read, the machine, the setting and the place on the bed. From these the problem is made again, and the numbers of the
-//! [`Certificate`], of the [`WalkCertificate`] or of the [`StopCertificate`] are added up again in whole numbers. How they were found does not matter, and no search is needed.
+//! [`FlowCertificate`], of the [`Certificate`] by shares, of the [`WalkCertificate`] or of the [`StopCertificate`] are added up again in whole numbers. How they were found does not matter, and no search is needed.
 
 use super::optimum::{Optimum, TURN};
 use super::{Job, JobError, LoadOptions, MachineChoice, Place, PlanOptions};
@@ -10,7 +10,8 @@ use crate::drawing::TextDecoder;
 use crate::machine::{Profile, Start};
 use crate::output::{json_text, sha256};
 use crate::plan::{
-    Certificate, CertificateFault, ShareBound, StopBound, StopCertificate, WalkCertificate, with_paid,
+    Certificate, CertificateFault, FlowBound, FlowCertificate, ShareBound, StopBound, StopCertificate,
+    WalkCertificate, with_paid,
 };
 use crate::problem::{Item, Problem};
 use serde::{Deserialize, Serialize};
@@ -18,10 +19,8 @@ use serde::{Deserialize, Serialize};
 /// The name and version of the format.
 pub const CERTIFICATE_SCHEMA: &str = "kerfway.certificate/1";
 
-/// Numbers of the bound by walks for one of that by shares, which takes seven times as long: each gets half of the time.
-const WALKS_PER_SHARE: u32 = 7;
-/// Shares get this part of their time when walks prove more: they hardly ever catch up with them.
-const BEHIND: u32 = 4;
+/// Numbers of the bound by walks for one of that by flows, which takes twice as long: each gets half of the time.
+const WALKS_PER_FLOW: u32 = 2;
 
 /// A certificate file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -50,6 +49,9 @@ struct File {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 enum Travel {
+    /// For up to 2,200 contours.
+    Flows(FlowCertificate),
+    /// For more contours.
     Shares(Certificate),
     /// For up to 220 contours, where it proves more.
     Walks(WalkCertificate),
@@ -61,6 +63,7 @@ impl Travel {
     /// The stated bound of travel and its unit, as a power of two.
     fn stated(&self) -> (i64, i32) {
         match self {
+            Self::Flows(certificate) => (certificate.bound, certificate.unit),
             Self::Shares(certificate) => (certificate.bound, certificate.unit),
             Self::Walks(certificate) => (certificate.bound, certificate.unit),
             Self::Stops(certificate) => (certificate.bound, certificate.unit),
@@ -69,6 +72,7 @@ impl Travel {
 
     fn adds_up_to(&self, problem: &Problem) -> Result<i128, CertificateFault> {
         match self {
+            Self::Flows(certificate) => certificate.adds_up_to(problem),
             Self::Shares(certificate) => certificate.adds_up_to(problem),
             Self::Walks(certificate) => certificate.adds_up_to(problem),
             Self::Stops(certificate) => certificate.adds_up_to(problem),
@@ -83,6 +87,7 @@ impl Travel {
 
 /// The bound that has a certificate.
 enum Bound {
+    Flows(Box<FlowBound>),
     Shares(Box<ShareBound>),
     Stops(Box<StopBound>),
 }
@@ -90,11 +95,15 @@ enum Bound {
 impl Bound {
     fn new(problem: &Problem) -> Option<Self> {
         let of_stops = StopBound::new(problem).map(|bound| Self::Stops(Box::new(bound)));
-        of_stops.or_else(|| ShareBound::new(problem).map(|bound| Self::Shares(Box::new(bound))))
+        let of_flows = || FlowBound::new(problem).map(|bound| Self::Flows(Box::new(bound)));
+        of_stops
+            .or_else(of_flows)
+            .or_else(|| ShareBound::new(problem).map(|bound| Self::Shares(Box::new(bound))))
     }
 
     fn improve(&mut self, work: u32) -> bool {
         match self {
+            Self::Flows(bound) => bound.improve(work),
             Self::Shares(bound) => bound.improve(work),
             Self::Stops(bound) => bound.improve(work),
         }
@@ -102,6 +111,7 @@ impl Bound {
 
     fn value(&self) -> f64 {
         match self {
+            Self::Flows(bound) => bound.value(),
             Self::Shares(bound) => bound.value(),
             Self::Stops(bound) => bound.value(),
         }
@@ -109,6 +119,7 @@ impl Bound {
 
     fn travel(&self) -> Option<Travel> {
         match self {
+            Self::Flows(bound) => bound.certificate().map(Travel::Flows),
             Self::Shares(bound) => bound.certificate().cloned().map(Travel::Shares),
             Self::Stops(bound) => bound.certificate().cloned().map(Travel::Stops),
         }
@@ -163,8 +174,8 @@ impl Proof {
             sha256: String::new(),
         };
         let paid = problem.paid();
-        let of_shares = matches!(bound, Some(Bound::Shares(_)));
-        let optimum = if of_shares { Optimum::new(&problem) } else { None };
+        let of_tours = matches!(bound, Some(Bound::Flows(_) | Bound::Shares(_)));
+        let optimum = if of_tours { Optimum::new(&problem) } else { None };
         Ok(Self { file, problem, paid, bound, optimum, left: 0 })
     }
 
@@ -181,8 +192,7 @@ impl Proof {
         let mut more = true;
         while more && self.left >= u64::from(TURN) {
             self.left -= u64::from(TURN);
-            let part = if bound.value() < optimum.value() { BEHIND } else { 1 };
-            let of_bound = bound.improve(TURN / WALKS_PER_SHARE / part);
+            let of_bound = bound.improve(TURN / WALKS_PER_FLOW);
             let of_optimum = optimum.turn();
             more = of_bound || of_optimum;
         }
@@ -195,7 +205,7 @@ impl Proof {
         self.bound.as_ref().map_or(0.0, |bound| self.paid + bound.value().max(optimum))
     }
 
-    /// The certificate file of the bound by shares, by walks or by stops that proves most; `None` if nothing is proven yet.
+    /// The certificate file of the bound by flows, by shares, by walks or by stops that proves most; `None` if nothing is proven yet.
     pub fn certificate(&self) -> Option<String> {
         let above = self.bound.as_ref()?.value();
         let walks = self.optimum.as_ref().and_then(|optimum| optimum.certificate(above));

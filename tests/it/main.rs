@@ -24,6 +24,7 @@ mod dxf_files;
 mod dxf_units;
 mod exclude;
 mod features_too_small;
+mod flow_bound;
 mod fly;
 mod geometry_curves;
 mod geometry_meet;

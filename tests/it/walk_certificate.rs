@@ -28,7 +28,7 @@ fn proven(problem: &Problem, certificate: &WalkCertificate) -> Result<f64, Certi
 }
 
 /// Scattered items of every kind and, every fourth time, tables of costs, every other one of them not the same both ways.
-fn of_every_kind(dice: &mut Dice, k: u64) -> Problem {
+pub(crate) fn of_every_kind(dice: &mut Dice, k: u64) -> Problem {
     let mut problem = scattered(dice, k);
     if k % 4 != 3 || problem.items.len() < 2 {
         return problem;
@@ -131,19 +131,12 @@ fn sheets_with_cuts_and_far_contours() {
 }
 
 /// Some numbers of the list, in ascending order.
-fn some(dice: &mut Dice, from: usize, count: usize, of_ten: u64) -> Vec<usize> {
+pub(crate) fn some(dice: &mut Dice, from: usize, count: usize, of_ten: u64) -> Vec<usize> {
     (from..count).filter(|_| dice.below(10) < of_ten).collect()
 }
 
 /// A cut of some items, or of some knots of items beside them.
-fn cut(
-    dice: &mut Dice,
-    certificate: &WalkCertificate,
-    knots: &[usize],
-    paired: &[bool],
-    price: i64,
-) -> PricedCut {
-    let count = certificate.charges.len();
+pub(crate) fn cut(dice: &mut Dice, count: usize, knots: &[usize], paired: &[bool], price: i64) -> PricedCut {
     let first = count - knots.len();
     let members = some(dice, first, count, 3);
     let mut parts: Vec<Part> = Vec::new();
@@ -158,6 +151,23 @@ fn cut(
     PricedCut { visited: visited.map(|p| p.item), members, parts, price }
 }
 
+/// For each item besides home its number of knots, and whether it is an open contour.
+pub(crate) fn knots_of(problem: &Problem) -> (Vec<usize>, Vec<bool>) {
+    let given = problem.table().is_some();
+    let mut items: Vec<(usize, bool)> = (problem.items.iter())
+        .map(|i| {
+            let nodes = &problem.nodes[i.nodes.start as usize..i.nodes.end as usize];
+            let paired = !given && nodes.iter().any(|n| n.entry != n.exit);
+            (nodes.len(), paired)
+        })
+        .collect();
+    if given {
+        items.rotate_right(1);
+        items.remove(0);
+    }
+    items.into_iter().unzip()
+}
+
 /// Whatever the numbers are, no more than the optimum is proven: charges, company, near items, and cuts by the places in them.
 #[test]
 fn any_numbers_prove_no_more_than_the_optimum() {
@@ -169,19 +179,8 @@ fn any_numbers_prove_no_more_than_the_optimum() {
         let (_, good) = certified(&problem, least, 30_000);
         let before = proven(&problem, &good).unwrap();
         let given = problem.table().is_some();
-        let mut items: Vec<(usize, bool)> = (problem.items.iter())
-            .map(|i| {
-                let nodes = &problem.nodes[i.nodes.start as usize..i.nodes.end as usize];
-                let paired = !given && nodes.iter().any(|n| n.entry != n.exit);
-                (nodes.len(), paired)
-            })
-            .collect();
         let count = good.charges.len();
-        if given {
-            items.rotate_right(1);
-            items.remove(0);
-        }
-        let (knots, paired): (Vec<usize>, Vec<bool>) = items.into_iter().unzip();
+        let (knots, paired) = knots_of(&problem);
         let first = count - knots.len();
         for turn in 0..5 {
             let mut changed = good.clone();
@@ -193,7 +192,7 @@ fn any_numbers_prove_no_more_than_the_optimum() {
             if turn > 0 {
                 for _ in 0..3 {
                     let price = if turn == 4 { 8 * size } else { 1 + size / 3 };
-                    let cut = cut(&mut dice, &good, &knots, &paired, price);
+                    let cut = cut(&mut dice, count, &knots, &paired, price);
                     through += i32::from(cut.visited.is_some());
                     changed.cuts.push(cut);
                 }

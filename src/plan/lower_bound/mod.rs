@@ -63,6 +63,8 @@
 mod certificate;
 mod charges;
 mod cheap;
+#[cfg(feature = "research")]
+mod flows;
 mod gather;
 #[cfg(feature = "research")]
 mod halving;
@@ -95,6 +97,8 @@ use crate::problem::{Item, Problem};
 pub use certificate::{Certificate, CertificateFault, SharedLegs, with_paid};
 use cheap::Cheap;
 #[cfg(feature = "research")]
+pub use flows::FlowBound;
+#[cfg(feature = "research")]
 pub use postman::StopBound;
 #[cfg(feature = "research")]
 pub use priced_cuts::{Part, PricedCut};
@@ -106,7 +110,7 @@ pub use shares::ShareBound;
 #[cfg(feature = "research")]
 pub use stop_certificate::{CutPart, PricedParts, StopCertificate};
 #[cfg(feature = "research")]
-pub use walk_certificate::WalkCertificate;
+pub use walk_certificate::{FlowCertificate, WalkCertificate};
 
 /// Most items for the strong bound: with more, one pass over all walks takes about a second.
 const STRONG: usize = 220;

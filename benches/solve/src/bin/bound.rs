@@ -11,7 +11,7 @@
 mod source;
 
 use cpu_time::ThreadTime;
-use kerfway::plan::{LowerBound, ShareBound, StopBound};
+use kerfway::plan::{FlowBound, LowerBound, ShareBound, StopBound};
 use kerfway::solve;
 use source::Source;
 
@@ -29,6 +29,7 @@ fn main() {
         let number = |next: Option<String>| next.and_then(|n| n.parse::<f64>().ok());
         match word.as_str() {
             "--seconds" => seconds = number(args.next()).unwrap_or(seconds),
+            "--flows" => which = Which::Flows,
             "--shares" => which = Which::Shares,
             "--stops" => which = Which::Stops,
             "--machine" => machine = args.next(),
@@ -71,6 +72,7 @@ fn main() {
 enum Which {
     Search,
     Shares,
+    Flows,
     Stops,
 }
 
@@ -78,6 +80,7 @@ enum Which {
 enum Kind {
     Search(LowerBound),
     Shares(Box<ShareBound>),
+    Flows(Box<FlowBound>),
     Stops(Box<StopBound>),
 }
 
@@ -86,6 +89,7 @@ impl Kind {
         match self {
             Self::Search(bound) => bound.improve(SLICE, upper),
             Self::Shares(bound) => bound.improve(SLICE),
+            Self::Flows(bound) => bound.improve(SLICE),
             Self::Stops(bound) => bound.improve(SLICE),
         }
     }
@@ -94,6 +98,7 @@ impl Kind {
         match self {
             Self::Search(bound) => bound.value(),
             Self::Shares(bound) => bound.value(),
+            Self::Flows(bound) => bound.value(),
             Self::Stops(bound) => bound.value(),
         }
     }
@@ -108,6 +113,7 @@ fn bound(source: &Source, seconds: f64, upper: Option<f64>, which: Which) {
     let bound = match which {
         Which::Search => Some(Kind::Search(LowerBound::new(&source.problem))),
         Which::Shares => ShareBound::new(&source.problem).map(|b| Kind::Shares(Box::new(b))),
+        Which::Flows => FlowBound::new(&source.problem).map(|b| Kind::Flows(Box::new(b))),
         Which::Stops => StopBound::new(&source.problem).map(|b| Kind::Stops(Box::new(b))),
     };
     let Some(mut bound) = bound else { return eprintln!("{}: this bound does not apply.", source.name) };
@@ -134,12 +140,13 @@ fn bound(source: &Source, seconds: f64, upper: Option<f64>, which: Which) {
             let problem = &source.problem;
             let walks = match &bound {
                 Kind::Search(bound) => bound.certificate(problem, 0.0),
-                Kind::Shares(_) | Kind::Stops(_) => None,
+                Kind::Shares(_) | Kind::Stops(_) | Kind::Flows(_) => None,
             };
             let before = clock.elapsed().as_secs_f64();
             let checked = match &bound {
                 Kind::Search(_) => walks.as_ref().map(|c| c.check(problem)),
-                Kind::Shares(bound) => bound.certificate().map(|c| c.check(problem)),
+                Kind::Flows(bound) => bound.certificate().map(|c| c.check(problem)),
+            Kind::Shares(bound) => bound.certificate().map(|c| c.check(problem)),
                 Kind::Stops(bound) => bound.certificate().map(|c| c.check(problem)),
             };
             let check_seconds = clock.elapsed().as_secs_f64() - before;

@@ -8,7 +8,7 @@ use crate::order::{real, sort_by};
 const COMPANY: usize = 4;
 
 /// The [`COMPANY`] nearest items of each item.
-pub(super) fn nearest_company(items: &[Item], first: usize, pairs: &Pairs) -> Vec<Vec<usize>> {
+pub(in super::super) fn nearest_company(items: &[Item], first: usize, pairs: &Pairs) -> Vec<Vec<usize>> {
     let mut company = vec![Vec::new(); items.len()];
     for (i, list) in company.iter_mut().enumerate().skip(first) {
         let mut near: Vec<(usize, f64)> = pairs.of[i]

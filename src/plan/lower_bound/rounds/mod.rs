@@ -23,7 +23,7 @@ use super::space::Space;
 use super::walks::{Ground, Pass, Visit};
 use crate::problem::Problem;
 use bundle::Bundle;
-use company::nearest_company;
+pub(super) use company::nearest_company;
 use excess::seconds;
 use looks::{LOOKS_AT_ORDERS, Looks};
 #[cfg(feature = "research")]

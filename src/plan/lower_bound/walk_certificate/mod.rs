@@ -18,15 +18,17 @@
 //! The check shares the division of contours, the seconds between pieces, the precedence of items and the reading of cuts with the other
 //! certificates, and nothing with the search for the bound.
 
+mod flows;
 mod shortest;
 mod states;
 
 use super::certificate::{CertificateFault, below, divided, stated, unit};
-use super::net::homes;
+use super::net::{Item, homes};
 use super::order::Order;
 use super::priced_cuts::{Cuts, PricedCut};
 use super::prices::Prices;
 use crate::problem::Problem;
+pub use flows::FlowCertificate;
 use serde::{Deserialize, Serialize};
 use shortest::Walks;
 use states::{MOST_ITEMS, States};
@@ -76,35 +78,88 @@ impl WalkCertificate {
     /// # Errors
     /// What does not fit the problem, or would take too long to check.
     pub fn adds_up_to(&self, problem: &Problem) -> Result<i128, CertificateFault> {
-        let first = homes(problem);
         if !applies(problem) {
             return Err(CertificateFault::Problem);
         }
-        if self.knots.iter().map(Vec::len).sum::<usize>() > MOST_KNOTS {
-            return Err(CertificateFault::TooMuch("knots"));
-        }
-        let items = divided(problem, &self.knots)?;
-        if items.len() > MOST_ITEMS {
-            return Err(CertificateFault::TooMuch("items"));
-        }
-        let prices = Prices::new(problem);
-        let (power, guard) = unit(&items, &prices, problem);
-        if power != self.unit {
-            return Err(CertificateFault::Shape("units"));
-        }
-        self.fits(items.len(), first, prices.given())?;
-        let order = Order::new(problem, first);
-        let states = States::new((&self.near, &self.company), &order, first)?;
-        let near = &self.near;
-        let walks = Walks { items: &items, first, prices: &prices, order: &order, near, states: &states };
-        walks.are_few(self.cuts.len())?;
-        let cuts = Cuts::read(&self.cuts, &items, first).ok_or(CertificateFault::Shape("cuts"))?;
-        let shortest = walks.shortest((power, guard), &self.charges, &cuts)?;
+        let ground = read((&self.knots, &self.near, &self.company), self.unit, problem)?;
+        self.fits(ground.items.len(), ground.first)?;
+        let states = ground.states()?;
+        let walks = ground.walks(&states);
+        walks.are_few(self.cuts.len(), ground.items.len())?;
+        let cuts = ground.cuts(&self.cuts)?;
+        let shortest = walks.shortest((self.unit, ground.guard), &self.charges, &cuts)?;
         Ok(i128::from(shortest) - self.charges.iter().copied().map(i128::from).sum::<i128>() + cuts.back)
     }
 
+    /// Whether the charges are those of the items.
+    fn fits(&self, count: usize, first: usize) -> Result<(), CertificateFault> {
+        let charge = |(item, charge): (usize, &i64)| {
+            if item < first { *charge == 0 } else { (-LARGEST..=LARGEST).contains(charge) }
+        };
+        if self.charges.len() != count || !self.charges.iter().enumerate().all(charge) {
+            return Err(CertificateFault::Shape("charges"));
+        }
+        Ok(())
+    }
+}
+
+/// What certificates by walks and by flows are about.
+struct Ground<'c> {
+    items: Vec<Item>,
+    /// Index of the first contour; the items before it are home.
+    first: usize,
+    prices: Prices,
+    order: Order,
+    near: &'c [Vec<usize>],
+    company: &'c [Vec<usize>],
+    /// By how many seconds the least seconds of legs are lowered.
+    guard: f64,
+}
+
+/// Makes the items of a problem and the lists of a certificate fit each other. `lists`: the knots of each item, what it is near, and what is remembered
+/// there. `unit`: the unit of the certificate.
+fn read<'c>(
+    (knots, near, company): (&[Vec<f64>], &'c [Vec<usize>], &'c [Vec<usize>]),
+    unit_of: i32,
+    problem: &Problem,
+) -> Result<Ground<'c>, CertificateFault> {
+    if knots.iter().map(Vec::len).sum::<usize>() > MOST_KNOTS {
+        return Err(CertificateFault::TooMuch("knots"));
+    }
+    let items = divided(problem, knots)?;
+    if items.len() > MOST_ITEMS {
+        return Err(CertificateFault::TooMuch("items"));
+    }
+    let (first, prices) = (homes(problem), Prices::new(problem));
+    let (power, guard) = unit(&items, &prices, problem);
+    if power != unit_of {
+        return Err(CertificateFault::Shape("units"));
+    }
+    let ground = Ground { items, first, order: Order::new(problem, first), near, company, guard, prices };
+    ground.fits()?;
+    Ok(ground)
+}
+
+impl Ground<'_> {
+    fn states(&self) -> Result<States, CertificateFault> {
+        States::new((self.near, self.company), &self.order, self.first)
+    }
+
+    fn walks<'w>(&'w self, states: &'w States) -> Walks<'w> {
+        let Ground { items, first, prices, order, near, .. } = self;
+        Walks { items, first: *first, prices, order, near, states }
+    }
+
+    /// The cuts of a certificate.
+    fn cuts<'p>(&self, list: &'p [PricedCut]) -> Result<Cuts<'p>, CertificateFault> {
+        let prices: i128 = list.iter().map(|c| i128::from(c.price)).sum();
+        let small = prices <= i128::from(LARGEST);
+        Cuts::read(list, &self.items, self.first).filter(|_| small).ok_or(CertificateFault::Shape("cuts"))
+    }
+
     /// Whether the lists have the right lengths and name items that are there.
-    fn fits(&self, count: usize, first: usize, all_near: bool) -> Result<(), CertificateFault> {
+    fn fits(&self) -> Result<(), CertificateFault> {
+        let (count, first, all_near) = (self.items.len(), self.first, self.prices.given());
         let inside = |list: &Vec<usize>, from: usize| {
             list.is_sorted_by(|a, b| a < b) && list.iter().all(|i| (from..count).contains(i))
         };
@@ -120,19 +175,12 @@ impl WalkCertificate {
         if self.company.len() != count || !self.company.iter().enumerate().all(company) {
             return Err(CertificateFault::Shape("lists of company"));
         }
-        let charge = |(item, charge): (usize, &i64)| {
-            if item < first { *charge == 0 } else { (-LARGEST..=LARGEST).contains(charge) }
-        };
-        if self.charges.len() != count || !self.charges.iter().enumerate().all(charge) {
-            return Err(CertificateFault::Shape("charges"));
-        }
-        let prices: i128 = self.cuts.iter().map(|c| i128::from(c.price)).sum();
-        if prices > i128::from(LARGEST) { Err(CertificateFault::Shape("cuts")) } else { Ok(()) }
+        Ok(())
     }
 }
 
-/// Whether the bound by walks applies: there is an item, none is left unfinished, and there are no pierce groups.
-fn applies(problem: &Problem) -> bool {
+/// Whether the bounds by walks and by flows apply: there is an item, none is left unfinished, and there are no pierce groups.
+pub(super) fn applies(problem: &Problem) -> bool {
     problem.items.len() > usize::from(problem.start().is_some())
         && problem.items.iter().all(|i| i.leave.is_none() && !i.is_pierce_group())
 }

@@ -15,7 +15,7 @@ const MOST_LEGS: usize = 16_000_000;
 /// Most sums: about twenty seconds in wasm.
 const MOST_WORK: u128 = 20_000_000_000;
 /// No walk comes here. Values of walks are less than half of it, whatever the numbers of the certificate are.
-const NONE: i64 = 1 << 62;
+pub(super) const NONE: i64 = 1 << 62;
 
 /// The walks of a certificate.
 pub(super) struct Walks<'c> {
@@ -30,17 +30,17 @@ pub(super) struct Walks<'c> {
 }
 
 /// What legs cost, in units, less what they are given by cuts.
-struct Legs {
+pub(super) struct Legs {
     /// Tables between items that are near, a row for each knot of the item that is named first.
     tables: BTreeMap<[usize; 2], Vec<i64>>,
     directed: bool,
     /// For each item those that are not near and from where a walk may come, with the units between their boxes.
-    far: Vec<Vec<(usize, i64)>>,
+    pub(super) far: Vec<Vec<(usize, i64)>>,
 }
 
 impl Legs {
     /// The table of legs, and whether its rows are those of the item left.
-    fn between(&self, from: usize, to: usize) -> (&[i64], bool) {
+    pub(super) fn between(&self, from: usize, to: usize) -> (&[i64], bool) {
         let rows_left = self.directed || from < to;
         let table = self.tables.get(&if rows_left { [from, to] } else { [to, from] });
         (table.map_or(&[], Vec::as_slice), rows_left)
@@ -48,8 +48,8 @@ impl Legs {
 }
 
 impl Walks<'_> {
-    /// Whether the check ends soon: counts numbers before any of them is made. `cuts`: how many there are.
-    pub(super) fn are_few(&self, cuts: usize) -> Result<(), CertificateFault> {
+    /// Whether the check ends soon: counts numbers before any of them is made. `cuts`: how many there are; `rows`: how often all legs are looked at.
+    pub(super) fn are_few(&self, cuts: usize, rows: usize) -> Result<(), CertificateFault> {
         let knots = |item: usize| self.items[item].knots;
         let width: usize = self.states.item.iter().map(|&item| knots(item)).sum();
         if width > MOST_WIDTH {
@@ -63,7 +63,7 @@ impl Walks<'_> {
             knots(s.from) as u128 * (s.sources.len() as u128 + knots(self.states.item[s.to]) as u128)
         };
         let row = self.states.steps.iter().map(step).sum::<u128>() + width as u128;
-        let work = row * (self.items.len() as u128) + (numbers + 1) * (cuts as u128);
+        let work = row * (rows as u128) + (numbers + 1) * (cuts as u128);
         if work > MOST_WORK { Err(CertificateFault::TooMuch("sums of legs")) } else { Ok(()) }
     }
 
@@ -76,7 +76,7 @@ impl Walks<'_> {
     }
 
     /// The cost of all legs; `None` if it does not fit into 64 bits.
-    fn legs(&self, (power, guard): (i32, f64), cuts: &Cuts) -> Option<Legs> {
+    pub(super) fn legs(&self, (power, guard): (i32, f64), cuts: &Cuts) -> Option<Legs> {
         let mut tables = BTreeMap::new();
         for ends in self.pairs() {
             let [n, m] = ends.map(|k| self.items[k].knots);
@@ -163,7 +163,7 @@ impl Walks<'_> {
     }
 
     /// The values of the knots where an item is left, from those where it is arrived at.
-    fn left(&self, item: usize, values: &[i64]) -> Vec<i64> {
+    pub(super) fn left(&self, item: usize, values: &[i64]) -> Vec<i64> {
         let mut left = values.to_vec();
         if self.items[item].paired {
             left.chunks_exact_mut(2).for_each(|ends| ends.swap(0, 1));
@@ -192,7 +192,7 @@ fn of_stops(charges: &[i64], cuts: &Cuts) -> Option<Vec<Vec<i64>>> {
 }
 
 /// Lowers values by legs from other values: their table, and whether its rows are those of the values left.
-fn lower(values: &mut [i64], left: &[i64], (table, rows_left): (&[i64], bool)) {
+pub(super) fn lower(values: &mut [i64], left: &[i64], (table, rows_left): (&[i64], bool)) {
     if rows_left {
         for (&base, row) in left.iter().zip(table.chunks_exact(values.len().max(1))) {
             if base < NONE / 2 {

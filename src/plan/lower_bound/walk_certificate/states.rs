@@ -9,33 +9,35 @@ use super::super::order::Order;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Most items: the bits of a [`Set`].
-pub(super) const MOST_ITEMS: usize = 256;
+/// Most items: the sets of all of them take two megabytes.
+pub(super) const MOST_ITEMS: usize = 4_096;
 /// Most states, and most legs between them: about 100 MB. The search for the bound has room for far fewer.
 const MOST_STATES: usize = 200_000;
 const MOST_LEGS: usize = 4_000_000;
+/// Most numbers in the sets of all states: 64 MB.
+const MOST_WORDS: usize = 4_000_000;
 
 /// Some items, as bits.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-struct Set([u128; 2]);
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+struct Set(Vec<u128>);
 
 impl Set {
-    fn of(items: impl Iterator<Item = usize>) -> Self {
-        let mut bits = [0; 2];
+    fn of(items: impl Iterator<Item = usize>, count: usize) -> Self {
+        let mut bits = vec![0; count.div_ceil(128)];
         items.for_each(|i| bits[i / 128] |= 1 << (i % 128));
         Self(bits)
     }
 
-    fn has(self, item: usize) -> bool {
+    fn has(&self, item: usize) -> bool {
         self.0[item / 128] >> (item % 128) & 1 == 1
     }
 
-    fn or(self, other: Self) -> Self {
-        Self([self.0[0] | other.0[0], self.0[1] | other.0[1]])
+    fn add(&mut self, other: &Self) {
+        self.0.iter_mut().zip(&other.0).for_each(|(a, b)| *a |= b);
     }
 
-    fn and(self, other: Self) -> Self {
-        Self([self.0[0] & other.0[0], self.0[1] & other.0[1]])
+    fn and(&self, other: &Self) -> Self {
+        Self(self.0.iter().zip(&other.0).map(|(a, b)| a & b).collect())
     }
 }
 
@@ -53,6 +55,8 @@ pub(super) struct Step {
 pub(super) struct States {
     /// The item of each.
     pub(super) item: Vec<usize>,
+    /// What walks must not come to any more.
+    sets: Vec<Set>,
     /// For each item the state of a walk that remembers nothing.
     pub(super) fresh: Vec<usize>,
     /// By the state they lead to.
@@ -72,11 +76,12 @@ impl States {
     ) -> Result<Self, CertificateFault> {
         let count = company.len();
         // Where a walk must not come to after each item.
+        let set = |items: &mut dyn Iterator<Item = usize>| Set::of(items, count);
         let barred: Vec<Set> = (0..count)
-            .map(|past| Set::of((first..count).filter(|&i| i == past || order.forbids(past, i, false))))
+            .map(|past| set(&mut (first..count).filter(|&i| i == past || order.forbids(past, i, false))))
             .collect();
-        let lists: Vec<Set> = company.iter().map(|list| Set::of(list.iter().copied())).collect();
-        let later: Vec<Set> = near.iter().map(|list| Set::of(list.iter().copied())).collect();
+        let lists: Vec<Set> = company.iter().map(|list| set(&mut list.iter().copied())).collect();
+        let later: Vec<Set> = near.iter().map(|list| set(&mut list.iter().copied())).collect();
         let are_near = |a: usize, b: usize| later[a.min(b)].has(a.max(b));
         let pairs = |of: usize, near: bool| -> Vec<usize> {
             (first..count).filter(|&other| other != of && are_near(of, other) == near).collect()
@@ -88,27 +93,27 @@ impl States {
             states.far.push(far.into_iter().filter(|&from| !barred[from].has(item)).collect());
         }
         let mut known: BTreeMap<(usize, Set), usize> = BTreeMap::new();
-        let mut sets: Vec<Set> = Vec::new();
-        let mut state = |states: &mut Self, sets: &mut Vec<Set>, item: usize, set: Set| {
-            *known.entry((item, set)).or_insert_with(|| {
+        let mut state = |states: &mut Self, item: usize, set: Set| {
+            *known.entry((item, set.clone())).or_insert_with(|| {
                 states.item.push(item);
-                sets.push(set);
-                sets.len() - 1
+                states.sets.push(set);
+                states.sets.len() - 1
             })
         };
         for item in 0..count {
-            let fresh = if item < first { 0 } else { state(&mut states, &mut sets, item, Set::default()) };
+            let fresh = if item < first { 0 } else { state(&mut states, item, set(&mut std::iter::empty())) };
             states.fresh.push(fresh);
         }
         // State led to, item left, state left.
         let mut legs: Vec<[u32; 3]> = Vec::new();
         let mut at = 0;
-        while let (Some(&item), Some(&set)) = (states.item.get(at), sets.get(at)) {
-            let past = company[item].iter().filter(|&&i| set.has(i));
-            let out = past.fold(barred[item], |out, &i| out.or(barred[i]));
+        while let Some(&item) = states.item.get(at) {
+            let mut out = barred[item].clone();
+            states.barred_in(at, company).for_each(|i| out.add(&barred[i]));
             for &next in to_near[item].iter().filter(|&&next| !out.has(next)) {
-                let to = state(&mut states, &mut sets, next, out.and(lists[next]));
-                if sets.len() > MOST_STATES || legs.len() >= MOST_LEGS {
+                let to = state(&mut states, next, out.and(&lists[next]));
+                let words = states.sets.len() * count.div_ceil(128);
+                if states.sets.len() > MOST_STATES || words > MOST_WORDS || legs.len() >= MOST_LEGS {
                     return Err(CertificateFault::TooMuch("states of walks"));
                 }
                 legs.push([to, item, at].map(|x| u32::try_from(x).unwrap_or(u32::MAX)));
@@ -125,5 +130,14 @@ impl States {
             }
         }
         Ok(states)
+    }
+
+    /// What is in the company of a state's item and must not be come to any more.
+    pub(super) fn barred_in<'s>(
+        &'s self,
+        state: usize,
+        company: &'s [Vec<usize>],
+    ) -> impl Iterator<Item = usize> + 's {
+        company[self.item[state]].iter().copied().filter(move |&i| self.sets[state].has(i))
     }
 }
