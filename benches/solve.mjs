@@ -234,7 +234,7 @@ async function bounds({ only, instances }) {
   table('Lower bounds of the sheets in wasm: share of the best known air length', ['', 'best known', 'on the way', 'at the end'], lines);
 }
 
-/** The lower bounds of GTSPLIB's instances in wasm: by walks until they end, then by shares, within some seconds of processor time each. */
+/** The lower bounds of GTSPLIB's instances in wasm: by walks until they end, then by flows, within some seconds of processor time each. */
 function boundsOfGtsplib({ seconds, only, instances }) {
   instances.file('gtsplib/best_known.json');
   const shares = [];
@@ -243,15 +243,15 @@ function boundsOfGtsplib({ seconds, only, instances }) {
     if (file === null) return [basename(path, '.gtsp'), NOT_RUN, ...Array(3).fill('')];
     const { known } = natively(file, { seconds: 0, seeds: 1 })[0];
     const found = rows(process.execPath, [join(HERE, 'instance-bounds.mjs'), file, String(known), String(seconds)])[0];
-    const best = Math.max(found.walks.bound, found.shares?.bound ?? 0) / known;
+    const best = Math.max(found.walks.bound, found.flows?.bound ?? 0) / known;
     const cell = (kind) => (kind === null ? 'none' : `${kind.bound.toFixed(1)}, ${((100 * kind.bound) / known).toFixed(1)} % after ${kind.seconds.toFixed(1)} s`);
-    const line = [basename(file, '.gtsp'), String(known), cell(found.walks), cell(found.shares), `${(100 * best).toFixed(1)} %`];
+    const line = [basename(file, '.gtsp'), String(known), cell(found.walks), cell(found.flows), `${(100 * best).toFixed(1)} %`];
     shares.push(best);
     console.log(line.join('  '));
     return line;
   });
   if (shares.length > 0) lines.push([`mean of ${shares.length}`, '', '', '', `${(100 * mean(shares)).toFixed(1)} %`]);
-  const columns = ['', 'best known', 'walks', 'proven by the certificate of the shares', 'the greater one'];
+  const columns = ['', 'best known', 'walks', 'proven by the certificate of the flows', 'the greater one'];
   table(`GTSPLIB: lower bounds in wasm within ${seconds} s of the processor`, columns, lines);
 }
 

@@ -1,6 +1,6 @@
 // The lower bounds of one instance in wasm, in a process of its own: node instance-bounds.mjs FILE KNOWN SECONDS. The walks with the orders that
-// are left work until they end, and the shares in what is left of the seconds of the processor. One line of JSON: the bound of each, with
-// its seconds. The bound by shares is the value that the check of its certificate gives; null where shares do not apply, or had no time.
+// are left work until they end, and the flows in what is left of the seconds of the processor. One line of JSON: the bound of each, with
+// its seconds. The bound by flows is the value that the check of its certificate gives; null where flows do not apply, or had no time.
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -21,10 +21,10 @@ const start = used();
 const bounds = Bounds.open(file, readFileSync(file), known);
 while (used() - start < seconds && bounds.improveWalks(SLICE));
 const walks = { bound: bounds.walks(), seconds: used() - start };
-let shares = null;
-if (walks.bound < known * (1 - PROVEN) && walks.seconds < seconds && bounds.startShares()) {
-  while (used() - start < seconds && bounds.improveShares(SLICE));
+let flows = null;
+if (walks.bound < known * (1 - PROVEN) && walks.seconds < seconds && bounds.startFlows()) {
+  while (used() - start < seconds && bounds.improveFlows(SLICE));
   const bound = bounds.certified();
-  if (bound !== undefined) shares = { bound, seconds: used() - start };
+  if (bound !== undefined) flows = { bound, seconds: used() - start };
 }
-console.log(JSON.stringify({ walks, shares }));
+console.log(JSON.stringify({ walks, flows }));

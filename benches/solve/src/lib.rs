@@ -3,7 +3,7 @@
 pub mod source;
 pub mod trace;
 
-use kerfway::plan::{LowerBound, ShareBound};
+use kerfway::plan::{FlowBound, LowerBound};
 use kerfway::solve::{self, Search, Status};
 use source::Source;
 use std::process::ExitCode;
@@ -57,13 +57,13 @@ impl Runner {
     }
 }
 
-/// The lower bounds of one instance: by walks, and by shares where they apply. The caller has the clock.
+/// The lower bounds of one instance: by walks, and by flows. The caller has the clock.
 #[wasm_bindgen]
 pub struct Bounds {
     source: Source,
     known: f64,
     walks: LowerBound,
-    shares: Option<Box<ShareBound>>,
+    flows: Option<Box<FlowBound>>,
 }
 
 #[wasm_bindgen]
@@ -72,7 +72,7 @@ impl Bounds {
     pub fn open(file: &str, bytes: Vec<u8>, known: f64) -> Result<Bounds, String> {
         let source = Source::of(file, bytes)?.pop().ok_or_else(|| format!("{file} holds no instance."))?;
         let walks = LowerBound::new(&source.problem);
-        Ok(Bounds { source, known, walks, shares: None })
+        Ok(Bounds { source, known, walks, flows: None })
     }
 
     /// Looks at about `work` more numbers of the walks. Returns whether more work may help.
@@ -86,22 +86,22 @@ impl Bounds {
         self.walks.value()
     }
 
-    /// Starts the shares. Returns whether they apply to the instance.
-    #[wasm_bindgen(js_name = startShares)]
-    pub fn start_shares(&mut self) -> bool {
-        self.shares = ShareBound::new(&self.source.problem).map(Box::new);
-        self.shares.is_some()
+    /// Starts the flows. Returns whether they apply to the instance.
+    #[wasm_bindgen(js_name = startFlows)]
+    pub fn start_flows(&mut self) -> bool {
+        self.flows = FlowBound::new(&self.source.problem).map(Box::new);
+        self.flows.is_some()
     }
 
-    /// Looks at about `work` more numbers of the shares. Returns whether more work may help.
-    #[wasm_bindgen(js_name = improveShares)]
-    pub fn improve_shares(&mut self, work: u32) -> bool {
-        self.shares.as_mut().is_some_and(|shares| shares.improve(work))
+    /// Looks at about `work` more numbers of the flows. Returns whether more work may help.
+    #[wasm_bindgen(js_name = improveFlows)]
+    pub fn improve_flows(&mut self, work: u32) -> bool {
+        self.flows.as_mut().is_some_and(|flows| flows.improve(work))
     }
 
-    /// No tour is shorter, by the shares: the value that the check of their certificate gives, in exact arithmetic.
+    /// No tour is shorter, by the flows: the value that the check of their certificate gives, in exact arithmetic.
     pub fn certified(&self) -> Result<Option<f64>, String> {
-        let certificate = self.shares.as_ref().and_then(|shares| shares.certificate());
+        let certificate = self.flows.as_ref().and_then(|flows| flows.certificate());
         certificate.map(|c| c.check(&self.source.problem)).transpose().map_err(|fault| fault.to_string())
     }
 }

@@ -101,7 +101,14 @@ impl Source {
             for ((item, contour), id) in self.problem.items.iter_mut().zip(&sheet.contours).zip(0..) {
                 let first = u32::try_from(self.problem.nodes.len()).map_err(|e| e.to_string())?;
                 for ((along, entry), twin) in ends(contour).into_iter().zip(first..) {
-                    self.problem.nodes.push(Node { item: id, entry, exit: entry, along, reversed: false, twin });
+                    self.problem.nodes.push(Node {
+                        item: id,
+                        entry,
+                        exit: entry,
+                        along,
+                        reversed: false,
+                        twin,
+                    });
                 }
                 item.nodes = first..u32::try_from(self.problem.nodes.len()).map_err(|e| e.to_string())?;
                 item.track = None;
@@ -237,13 +244,7 @@ fn points(data: &Value, machine: Profile, boundary: bool) -> Option<Problem> {
         items.push(Item { nodes: first..u32::try_from(nodes.len()).ok()?, before, ..Item::default() });
     }
     let (home, closed) = (DVec2::ZERO, machine.return_home);
-    Some(Problem {
-        items,
-        nodes,
-        home,
-        closed,
-        ..Problem::empty(machine)
-    })
+    Some(Problem { items, nodes, home, closed, ..Problem::empty(machine) })
 }
 
 fn points_checked(problem: &Problem, solution: &Solution) -> Result<f64, String> {

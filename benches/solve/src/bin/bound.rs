@@ -1,6 +1,6 @@
 //! The lower bound on benchmark instances and sheets, natively: `kerfway-bench-bound FILE... [--seconds S] [--upper U] [--open]`.
 //! JSON lines: one whenever the clock has doubled, and one at the end. The known best value, or `--upper`, sets the
-//! length of its steps, as the search's best does in a plan. `--shares`: the bound by shares. `--stops`: the same with the bound by stops, for contours that may be left and pierce groups. `--open`: the path does not
+//! length of its steps, as the search's best does in a plan. `--flows`: the bound by flows. `--shares`: the bound by shares. `--stops`: the same with the bound by stops, for contours that may be left and pierce groups. `--open`: the path does not
 //! return home. `--machine NAME`: that of a drawing, in place of `length`, `--ends`: its closed contours are
 //! entered and left only where their elements end. `--search MOVES`: the value known is that of a search of so many
 //! moves. Seconds are those of the processor. At the end the certificate of the bound is checked, with a line of what it proves
@@ -146,7 +146,7 @@ fn bound(source: &Source, seconds: f64, upper: Option<f64>, which: Which) {
             let checked = match &bound {
                 Kind::Search(_) => walks.as_ref().map(|c| c.check(problem)),
                 Kind::Flows(bound) => bound.certificate().map(|c| c.check(problem)),
-            Kind::Shares(bound) => bound.certificate().map(|c| c.check(problem)),
+                Kind::Shares(bound) => bound.certificate().map(|c| c.check(problem)),
                 Kind::Stops(bound) => bound.certificate().map(|c| c.check(problem)),
             };
             let check_seconds = clock.elapsed().as_secs_f64() - before;

@@ -123,7 +123,11 @@ impl<'c> Case<'c> {
         let name = run["method"].as_str().ok_or("Which method?")?;
         Ok(match solve::method(name) {
             Some(method) => method.start(self.problem, seed, None),
-            None => papers::method(name, &run["parameters"].to_string()).map_err(|e| e.message)?.start(self.problem, seed, None),
+            None => papers::method(name, &run["parameters"].to_string()).map_err(|e| e.message)?.start(
+                self.problem,
+                seed,
+                None,
+            ),
         })
     }
 

@@ -67,7 +67,12 @@ fn changed(preset: &Profile, set: &Value) -> Result<Profile, String> {
 }
 
 /// The plan after some moves of the search, checked; without moves, the nearest-next path.
-fn planned((_, bytes): Drawing, [machine, then]: [&Profile; 2], moves: u64, seed: u64) -> Result<Plan, String> {
+fn planned(
+    (_, bytes): Drawing,
+    [machine, then]: [&Profile; 2],
+    moves: u64,
+    seed: u64,
+) -> Result<Plan, String> {
     let mut job = Job::load(bytes.to_vec(), "sheet", &LoadOptions::default()).map_err(|e| e.to_string())?;
     if machine.kerf_width > 0.0 || machine.levers.bridges.is_some() {
         // The lines of the beam, around connected parts where there are bridges.

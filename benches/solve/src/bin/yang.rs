@@ -35,7 +35,8 @@ fn bench() -> Result<(), String> {
         tell(&problem, name, 1, &nearest(&problem, &order), json!({}));
     }
     let parameters = std::env::args().nth(2);
-    let ga = papers::method("dual-coding-ga", parameters.as_deref().unwrap_or("{}")).map_err(|e| e.message)?;
+    let ga =
+        papers::method("dual-coding-ga", parameters.as_deref().unwrap_or("{}")).map_err(|e| e.message)?;
     for seed in 1..=seeds {
         run(&problem, "dual-coding-ga", seed, ga.start(&problem, seed, None), u64::MAX);
         if parameters.is_some() {

@@ -60,7 +60,7 @@ impl FlowCertificate {
         if !applies(problem) {
             return Err(CertificateFault::Problem);
         }
-        let ground = read((&self.knots, &self.near, &self.company), self.unit, problem)?;
+        let ground = read(&self.knots, [&self.near, &self.company], self.unit, problem)?;
         let states = ground.states()?;
         let walks = ground.walks(&states);
         walks.are_few(self.cuts.len(), 1)?;
@@ -83,7 +83,7 @@ impl FlowCertificate {
         &self,
         problem: &Problem,
     ) -> Result<Vec<(usize, Vec<usize>)>, CertificateFault> {
-        let ground = read((&self.knots, &self.near, &self.company), self.unit, problem)?;
+        let ground = read(&self.knots, [&self.near, &self.company], self.unit, problem)?;
         let states = ground.states()?;
         let barred = |s: usize| states.barred_in(s, &self.company).collect();
         Ok((0..states.item.len()).map(|s| (states.item[s], barred(s))).collect())

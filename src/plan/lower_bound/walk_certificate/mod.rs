@@ -81,7 +81,7 @@ impl WalkCertificate {
         if !applies(problem) {
             return Err(CertificateFault::Problem);
         }
-        let ground = read((&self.knots, &self.near, &self.company), self.unit, problem)?;
+        let ground = read(&self.knots, [&self.near, &self.company], self.unit, problem)?;
         self.fits(ground.items.len(), ground.first)?;
         let states = ground.states()?;
         let walks = ground.walks(&states);
@@ -116,11 +116,12 @@ struct Ground<'c> {
     guard: f64,
 }
 
-/// Makes the items of a problem and the lists of a certificate fit each other. `lists`: the knots of each item, what it is near, and what is remembered
-/// there. `unit`: the unit of the certificate.
+/// Makes the items of a problem and the lists of a certificate fit each other. The lists: what each item is near, and what is remembered there;
+/// `power`: the unit of the certificate.
 fn read<'c>(
-    (knots, near, company): (&[Vec<f64>], &'c [Vec<usize>], &'c [Vec<usize>]),
-    unit_of: i32,
+    knots: &[Vec<f64>],
+    [near, company]: [&'c [Vec<usize>]; 2],
+    power: i32,
     problem: &Problem,
 ) -> Result<Ground<'c>, CertificateFault> {
     if knots.iter().map(Vec::len).sum::<usize>() > MOST_KNOTS {
@@ -131,8 +132,8 @@ fn read<'c>(
         return Err(CertificateFault::TooMuch("items"));
     }
     let (first, prices) = (homes(problem), Prices::new(problem));
-    let (power, guard) = unit(&items, &prices, problem);
-    if power != unit_of {
+    let (right, guard) = unit(&items, &prices, problem);
+    if power != right {
         return Err(CertificateFault::Shape("units"));
     }
     let ground = Ground { items, first, order: Order::new(problem, first), near, company, guard, prices };
