@@ -335,8 +335,8 @@ fn what_takes_too_long_to_check_is_refused() {
     let mut slow = knots(130);
     slow.cuts = vec![PricedCut { members: vec![1], parts: Vec::new(), visited: None, price: 1 }; 2000];
     refused(slow, "sums of legs");
-    // More contours than the check has bits for.
-    let many = problem_of(&nested_sheet(300, 3), &machine("length"));
+    // More contours than the check has sets for.
+    let many = problem_of(&nested_sheet(4_200, 3), &machine("length"));
     let knots = many.items.iter().map(|i| i.track.as_ref().map_or(Vec::new(), |_| vec![0.0]));
     let certificate = WalkCertificate { knots: [Vec::new()].into_iter().chain(knots).collect(), ..good };
     assert_eq!(certificate.check(&many), Err(CertificateFault::TooMuch("items")));

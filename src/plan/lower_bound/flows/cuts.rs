@@ -1,8 +1,10 @@
 //! Cuts: sets of items that the flow enters too seldom.
 
 use super::super::gather::{Search, Usage};
+use super::super::pairs::Pair;
 use super::super::shares::powers::ln;
 use super::FlowBound;
+use super::cut::Cut;
 
 /// Legs below this share of two are a fault: the smooth solution is nowhere exact.
 const ENOUGH: f64 = 0.985;
@@ -18,18 +20,6 @@ const STEP: f64 = 0.25;
 const MOST: f64 = 4.0;
 /// The least number of legs whose logarithm is taken.
 const FEW: f64 = 1e-3;
-
-/// A set of items without home, and the price of legs between them and the others.
-#[derive(Clone, Debug)]
-pub(super) struct Cut {
-    /// Whether each item is in it.
-    pub(super) set: Vec<bool>,
-    pub(super) price: f64,
-    /// The pairs that cross it.
-    pub(super) pairs: Vec<u32>,
-    /// The legs of the smooth solution that cross it.
-    legs: f64,
-}
 
 impl FlowBound {
     /// Adds cuts: joins items by the most used legs first, and looks at each set that comes about. Cuts without a price and with legs
@@ -64,8 +54,7 @@ impl FlowBound {
     pub(super) fn find_crossings(&mut self) {
         let pairs = &self.ground.pairs.list;
         for cut in &mut self.cuts {
-            let crosses =
-                |pair: &&super::super::pairs::Pair| cut.set[pair.items[0]] != cut.set[pair.items[1]];
+            let crosses = |pair: &&Pair| cut.set[pair.items[0]] != cut.set[pair.items[1]];
             cut.pairs.clear();
             cut.pairs.extend((0..).zip(pairs).filter(|(_, pair)| crosses(pair)).map(|(e, _)| e));
         }

@@ -1,17 +1,15 @@
 //! What a round prepares for the next: what must be remembered, which pairs need tables, and which pieces of contours are halved.
 
 use super::super::halving;
-use super::super::pairs::{Pairs, Scan};
+use super::super::net::Item;
+use super::super::pairs::Pairs;
 use super::super::rounds::nearest_company;
-use super::super::walks::Ground;
-use super::net::Net;
+use super::before::Before;
+use super::net::{MOST_LEGS, Net};
 use super::{FlowBound, Task};
 use crate::order::{real, sort_by};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Items that each item must be able to go to and to come from, by tables: without enough of them there may be no circulation, where the nearest
-/// items of an outer contour are its own holes, which come before it.
-const REACHABLE: usize = 8;
 /// Largest company of an item: its states may double with each member.
 const MOST_COMPANY: usize = 16;
 /// States that a round adds, about, as a share of those there are: after the first of them other circles are best.
@@ -23,44 +21,6 @@ const LITTLE: f64 = 0.002;
 /// Most numbers in the tables of legs, and in a row: 64 and 16 MB.
 const MOST_NUMBERS: usize = 8_000_000;
 const MOST_WIDTH: usize = 2_000_000;
-
-/// What potentials were for before a round.
-#[derive(Debug)]
-pub(super) struct Before {
-    net: Net,
-    potentials: Vec<f64>,
-    /// The number of members of each company.
-    members: Vec<usize>,
-    /// For each knot of each item the two knots around it then, or twice the same.
-    around: Vec<Vec<[usize; 2]>>,
-}
-
-/// The pairs that have tables at first: near items, and home with every item.
-pub(super) fn first_pairs(ground: &Ground) -> Vec<[usize; 2]> {
-    let Ground { items, first, prices, order, .. } = ground;
-    let mut scan = Scan::new(items, *first);
-    while scan.next(items, *first, prices).is_some() {}
-    let mut wanted = scan.wanted(*first, items.len());
-    if !prices.given() {
-        let mut known: BTreeSet<[usize; 2]> = wanted.iter().copied().collect();
-        for a in *first..items.len() {
-            for ahead in [true, false] {
-                let barred =
-                    |b: usize| if ahead { order.forbids(a, b, false) } else { order.forbids(b, a, false) };
-                let others = (*first..items.len()).filter(|&b| b != a && !barred(b));
-                let mut near: Vec<(f64, usize)> = others.map(|b| (ground.gap(a, b), b)).collect();
-                sort_by(&mut near, |n| [real(n.0), n.1 as u64, 0]);
-                let ends = near.iter().take(REACHABLE).map(|n| [a.min(n.1), a.max(n.1)]);
-                wanted.extend(ends.filter(|ends| known.insert(*ends)));
-            }
-        }
-    }
-    if prices.directed() {
-        let back: Vec<[usize; 2]> = wanted.iter().map(|&[a, b]| [b, a]).collect();
-        wanted.extend(back);
-    }
-    wanted
-}
 
 impl FlowBound {
     /// Makes the states, with the potentials that they had. Returns whether there is room for them.
@@ -121,9 +81,8 @@ impl FlowBound {
     /// Gives tables to the far pairs that are used or hold the value back.
     pub(super) fn add_tables(&mut self) {
         if self.want_tables() {
-            let around = self.ground.items.iter().map(|i| (0..i.knots).map(|v| [v; 2]).collect()).collect();
             let next = self.ground.pairs.list.len();
-            self.prepare(around, next);
+            self.prepare(self.same_knots(), next);
         }
     }
 
@@ -131,7 +90,7 @@ impl FlowBound {
     pub(super) fn grow(&mut self) -> bool {
         self.select();
         self.step();
-        let full = self.net.sources.len() > super::net::MOST_LEGS / 2 || self.net.width > MOST_WIDTH;
+        let full = self.net.sources.len() > MOST_LEGS / 2 || self.net.width > MOST_WIDTH;
         let members: Vec<usize> = self.ground.company.iter().map(Vec::len).collect();
         let fuller = !full && self.remember();
         let around = if full { None } else { self.halve() };
@@ -140,13 +99,17 @@ impl FlowBound {
             return false;
         }
         let next = if around.is_some() { 0 } else { self.ground.pairs.list.len() };
-        let same = || self.ground.items.iter().map(|i| (0..i.knots).map(|v| [v; 2]).collect()).collect();
-        let around = around.unwrap_or_else(same);
+        let around = around.unwrap_or_else(|| self.same_knots());
         self.prepare(around, next);
         if let Some(before) = &mut self.before {
             before.members = members;
         }
         true
+    }
+
+    /// For each knot of each item itself twice: see [`Before::around`].
+    fn same_knots(&self) -> Vec<Vec<[usize; 2]>> {
+        self.ground.items.iter().map(|i| (0..i.knots).map(|v| [v; 2]).collect()).collect()
     }
 
     /// Keeps the potentials, and goes on with the tables of pairs from `next` on.
@@ -215,7 +178,7 @@ impl FlowBound {
             return None;
         }
         let marks = halving::marks(&self.ground.items, &lost)?;
-        let halve = |(item, marked): (&mut super::super::net::Item, &Vec<bool>)| {
+        let halve = |(item, marked): (&mut Item, &Vec<bool>)| {
             let same = (0..item.knots).map(|v| [v; 2]).collect();
             halving::halved(item, marked).map_or(same, |(finer, around)| {
                 *item = finer;

@@ -32,14 +32,19 @@
 //! Sources: Baldacci, Mingozzi & Roberti (2011) for the memory; Christofides, Mingozzi & Toth (1981) for bounds over state spaces. Potentials of
 //! states in place of walks, and their smooth ascent: worked out here.
 
+mod before;
+mod cut;
 mod cuts;
 mod exact;
+mod flow;
 mod follow;
 mod grow;
+mod legs;
 mod net;
 mod record;
 mod select;
 mod soft;
+mod start;
 
 use super::net::{homes, items};
 use super::order::Order;
@@ -48,11 +53,12 @@ use super::prices::Prices;
 use super::walk_certificate::{FlowCertificate, applies};
 use super::walks::Ground;
 use crate::problem::Problem;
-use cuts::Cut;
+use before::Before;
+use cut::Cut;
+use flow::Flow;
+use legs::Legs;
 use net::Net;
 use record::Record;
-use select::Legs;
-use soft::Flow;
 
 /// The temperatures as shares of an average leg: the first one, the first of a later round, the last, and the last of all. Below the last one the smooth
 /// minimum is nearly the real one, and potentials move slowly.
@@ -99,7 +105,7 @@ pub struct FlowBound {
     /// Pairs without tables that hold the value back.
     missing: Vec<[usize; 2]>,
     /// The states before the round, to take over their potentials.
-    before: Option<grow::Before>,
+    before: Option<Before>,
     /// The average leg, s.
     mean: f64,
     temperature: f64,
@@ -130,7 +136,7 @@ impl FlowBound {
         let ground = Ground { pairs, company, spaces: Vec::new(), items, first, prices, order };
         Some(Self {
             problem: problem.clone(),
-            wanted: grow::first_pairs(&ground),
+            wanted: start::first_pairs(&ground),
             ground,
             net: Net::default(),
             potentials: Vec::new(),

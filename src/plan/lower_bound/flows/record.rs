@@ -5,7 +5,7 @@ use super::super::priced_cuts::PricedCut;
 use super::super::prices::Prices;
 use super::super::walk_certificate::FlowCertificate;
 use super::super::walks::Ground;
-use super::cuts::Cut;
+use super::cut::Cut;
 use super::net::{Key, Net, barred};
 use crate::problem::Problem;
 use std::collections::{BTreeMap, BTreeSet};

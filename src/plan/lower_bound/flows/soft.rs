@@ -14,20 +14,6 @@ const TINY: f64 = 1e-200;
 /// Largest power of e: potentials that have just been made can be far off.
 const LARGEST: f64 = 80.0;
 
-/// The smooth solution.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Flow {
-    /// What comes to each state and knot, and what leaves it.
-    pub(super) inflow: Vec<f64>,
-    outflow: Vec<f64>,
-    /// How much each pair is used.
-    pub(super) usage: Vec<f64>,
-    /// The same for items without a table: from, to.
-    pub(super) far: Vec<(usize, usize, f64)>,
-    /// The value of the smooth problem, s.
-    pub(super) value: f64,
-}
-
 /// For each item the sum of the weights of some of its states and knots, relative to the potential that counts most.
 #[derive(Clone, Copy, Debug, Default)]
 struct Weight {
