@@ -53,7 +53,7 @@ pub struct Certificate {
 /// Why a certificate proves nothing.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CertificateFault {
-    /// The bound that the certificate is of, by shares, by walks or by stops, does not apply to the problem.
+    /// The bound that the certificate is of, by flows, by shares, by walks or by stops, does not apply to the problem.
     #[error("The problem has no bound of the kind that the certificate is of.")]
     Problem,
     /// A list has another length than the problem asks for, or names an item that is not there.

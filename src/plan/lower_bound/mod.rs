@@ -33,6 +33,10 @@
 //! (`orders`). Either none is left, or those that are left give the bound and show which pieces of contours to halve next.
 //! So the optimum of some 60 contours is proven in seconds, with entries anywhere up to a ten-millionth.
 //!
+//! # Hundreds of contours: flows
+//!
+//! A proof beside the search has a bound for hundreds of contours (`flows`): walks with memory, but without the number of stops.
+//!
 //! # The cheap bound: trees
 //!
 //! It serves problems with more than [`STRONG`] items. A tour without home is a path over the items, so it is a tree, and
@@ -78,6 +82,8 @@ mod pairs;
 mod places;
 #[cfg(feature = "research")]
 mod postman;
+#[cfg(feature = "research")]
+mod powers;
 #[cfg(feature = "research")]
 mod priced_cuts;
 mod prices;

@@ -1,4 +1,4 @@
-//! Cuts as certificates by shares and by walks list them, and as their checks read them.
+//! Cuts as certificates by shares, by walks and by flows list them, and as their checks read them.
 
 use super::net::Item;
 use serde::{Deserialize, Serialize};

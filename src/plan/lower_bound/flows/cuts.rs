@@ -2,7 +2,7 @@
 
 use super::super::gather::{Search, Usage};
 use super::super::pairs::Pair;
-use super::super::shares::powers::ln;
+use super::super::powers::ln;
 use super::FlowBound;
 use super::cut::Cut;
 

@@ -41,6 +41,7 @@ mod follow;
 mod grow;
 mod legs;
 mod net;
+mod reach;
 mod record;
 mod select;
 mod soft;
@@ -122,7 +123,7 @@ pub struct FlowBound {
 }
 
 impl FlowBound {
-    /// Starts with the bound 0; `None` if this bound does not apply: contours may be left unfinished, there are pierce
+    /// Starts with a weak bound; `None` if this bound does not apply: contours may be left unfinished, there are pierce
     /// groups, there are fewer than two items, or too many.
     pub fn new(problem: &Problem) -> Option<Self> {
         if !applies(problem) || problem.items.len() < 2 || problem.items.len() > MOST_ITEMS {
@@ -134,7 +135,7 @@ impl FlowBound {
         let pairs = Pairs::new(count);
         let company = vec![Vec::new(); count];
         let ground = Ground { pairs, company, spaces: Vec::new(), items, first, prices, order };
-        Some(Self {
+        let mut bound = Self {
             problem: problem.clone(),
             wanted: start::first_pairs(&ground),
             ground,
@@ -157,7 +158,12 @@ impl FlowBound {
             left: 0,
             best: 0.0,
             record: None,
-        })
+        };
+        // There is a certificate from the beginning.
+        while matches!(bound.task, Task::Table(_)) {
+            bound.once();
+        }
+        Some(bound)
     }
 
     /// The bound of travel, s.

@@ -5,6 +5,7 @@
 //! the company of all items since (ng-routes: Baldacci, Mingozzi & Roberti, 2011). Home is a state like others, where tours begin and end.
 
 use super::super::walks::Ground;
+use super::reach::{Key, Leg, on_circles};
 use crate::order::sort_by;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -22,9 +23,6 @@ pub(super) struct Step {
     /// The states left, a range of [`Net::sources`].
     pub(super) sources: Range<usize>,
 }
-
-/// An item and the members of its company that are barred, as bits.
-pub(super) type Key = (usize, u32);
 
 /// All states that a circle through home comes to, and the legs between them.
 #[derive(Clone, Debug, Default)]
@@ -48,11 +46,8 @@ pub(super) struct Net {
     pub(super) far: Vec<Vec<(usize, f64)>>,
 }
 
-/// A leg: the state it leads to, the item left and the state left.
-type Leg = [usize; 3];
-
 impl Net {
-    /// `None` when there would be too many legs, or no tour at all.
+    /// `None` when there would be too many legs.
     pub(super) fn new(ground: &Ground) -> Option<Self> {
         let count = ground.items.len();
         let (mut keys, legs) = states(ground)?;
@@ -61,11 +56,8 @@ impl Net {
         let mut net = Self { keys, of: vec![Vec::new(); count], fresh: vec![None; count], ..Self::default() };
         net.add_far(ground);
         let legs = net.with_home(legs, ground);
-        let [comes, goes] = net.on_circles(&legs, home);
+        let [comes, goes] = on_circles(&net.keys, &legs, &net.far);
         let stays: Vec<bool> = comes.iter().zip(&goes).map(|(a, b)| *a && *b).collect();
-        if !stays[home] {
-            return None;
-        }
         let dead = |s: &usize| comes[*s] && !goes[*s];
         net.dead_ends = (0..home).filter(dead).map(|s| net.keys[s]).collect();
         let mut new = vec![usize::MAX; home + 1];
@@ -145,54 +137,6 @@ impl Net {
         }
         sort_by(&mut legs, |l| l.map(|x| x as u64));
         legs
-    }
-
-    /// For each state whether one can come to it from home, and from it to home.
-    fn on_circles(&self, legs: &[Leg], home: usize) -> [Vec<bool>; 2] {
-        let count = self.far.len();
-        let mut of: Vec<Vec<usize>> = vec![Vec::new(); count];
-        let mut fresh = vec![None; count];
-        for (s, &(item, barred)) in self.keys.iter().enumerate() {
-            of[item].push(s);
-            if barred == 0 {
-                fresh[item] = Some(s);
-            }
-        }
-        let mut next: [Vec<Vec<usize>>; 2] = [vec![Vec::new(); home + 1], vec![Vec::new(); home + 1]];
-        for &[to, _, source] in legs {
-            next[0][source].push(to);
-            next[1][to].push(source);
-        }
-        // Far legs by way of their items, which come after the states.
-        let reach = |next: &[Vec<usize>], ahead: bool| {
-            let mut seen = vec![false; home + 1];
-            let mut items = vec![false; count];
-            let mut far_of: Vec<Vec<usize>> = vec![Vec::new(); count];
-            for (to, list) in self.far.iter().enumerate() {
-                list.iter()
-                    .for_each(|&(from, _)| if ahead { far_of[from].push(to) } else { far_of[to].push(from) });
-            }
-            let mut stack = vec![home];
-            seen[home] = true;
-            while let Some(s) = stack.pop() {
-                let (item, barred) = self.keys[s];
-                let mut found = next[s].clone();
-                let goes_far = s != home && (ahead || barred == 0) && !items[item];
-                if goes_far {
-                    items[item] = true;
-                    for &other in &far_of[item] {
-                        if ahead { found.extend(fresh[other]) } else { found.extend(&of[other]) }
-                    }
-                }
-                for t in found {
-                    if !std::mem::replace(&mut seen[t], true) {
-                        stack.push(t);
-                    }
-                }
-            }
-            seen
-        };
-        [reach(&next[0], true), reach(&next[1], false)]
     }
 }
 

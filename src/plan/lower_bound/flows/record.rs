@@ -6,7 +6,8 @@ use super::super::prices::Prices;
 use super::super::walk_certificate::FlowCertificate;
 use super::super::walks::Ground;
 use super::cut::Cut;
-use super::net::{Key, Net, barred};
+use super::net::{Net, barred};
+use super::reach::Key;
 use crate::problem::Problem;
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,6 +1,6 @@
 //! A step of the smooth problem: how much flow comes to each state and leaves it, and the potentials that bring both together.
 
-use super::super::shares::powers::{exp, ln};
+use super::super::powers::{exp, ln};
 use super::FlowBound;
 
 /// Length of a step: both ends of a leg move, so that a quarter never overshoots.

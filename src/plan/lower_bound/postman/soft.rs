@@ -1,7 +1,7 @@
 //! A step of the smooth problem: how often items stop at their knots, how often legs are used, and the potentials and prices that bring
 //! both together.
 
-use super::super::shares::powers::{exp, ln};
+use super::super::powers::{exp, ln};
 use super::cut::Leg;
 use super::{StopBound, Stops};
 

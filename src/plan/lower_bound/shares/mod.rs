@@ -31,7 +31,6 @@
 mod cut;
 mod cuts;
 mod exact;
-pub(super) mod powers;
 mod refine;
 mod soft;
 

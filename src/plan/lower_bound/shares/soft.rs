@@ -2,8 +2,8 @@
 //! both together.
 
 use super::super::places::Held;
+use super::super::powers::{exp, ln};
 use super::cut::Leg;
-use super::powers::{exp, ln};
 use super::{Kind, ShareBound};
 
 /// Legs that are too expensive by more temperatures than this do not matter: e^-40 is below the precision of a number.

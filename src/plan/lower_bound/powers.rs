@@ -9,7 +9,7 @@ const WHOLE: f64 = 6_755_399_441_055_744.0;
 const LEAST: f64 = -700.0;
 
 /// e to the power of a number that is at most about 700.
-pub(in super::super) fn exp(x: f64) -> f64 {
+pub(super) fn exp(x: f64) -> f64 {
     if x < LEAST {
         return 0.0;
     }
@@ -23,7 +23,7 @@ pub(in super::super) fn exp(x: f64) -> f64 {
 }
 
 /// Natural logarithm of a normal positive number.
-pub(in super::super) fn ln(x: f64) -> f64 {
+pub(super) fn ln(x: f64) -> f64 {
     let bits = x.to_bits();
     let mut power = ((bits >> 52) as f64) - 1023.0;
     let mut m = f64::from_bits(bits & 0x000f_ffff_ffff_ffff | 0x3ff0_0000_0000_0000);
