@@ -1,7 +1,7 @@
 //! The bound by flows and its certificates: small problems of every kind against exact optima, sheets, and certificates that were changed.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::lower_bound::{at_nodes, machines, sampled, scattered};
+use crate::lower_bound::{entered_anywhere, scattered};
 use crate::testkit::sheets::{Dice, machine, nested_sheet};
 use crate::walk_certificate::{cut, knots_of, of_every_kind, some};
 use kerfway::job::problem_of;
@@ -63,11 +63,7 @@ fn never_above_the_optimum() {
 fn entries_anywhere() {
     let (mut sum, mut sum_least) = (0.0, 0.0);
     for seed in 0..24 {
-        let mut machine = machines(seed);
-        machine.return_home = seed % 3 != 0;
-        let mut problem = problem_of(&nested_sheet(2 + usize::try_from(seed).unwrap() % 2, seed), &machine);
-        problem.items.iter_mut().for_each(|i| i.run = None);
-        let least = solve::exact(&at_nodes(sampled(&problem, 60))).unwrap().cost;
+        let (problem, least) = entered_anywhere(2 + usize::try_from(seed).unwrap() % 2, seed);
         let bound = by_flows(&problem, 30_000_000).unwrap();
         let certificate = bound.certificate().unwrap();
         assert!(certificate.knots.iter().any(|knots| knots.len() > 2));

@@ -150,17 +150,22 @@ fn nested_sheets_at_nodes() {
 #[test]
 fn entries_anywhere() {
     for seed in 0..40 {
-        let mut machine = machines(seed);
-        machine.return_home = seed % 3 != 0;
-        let mut problem = problem_of(&nested_sheet(1 + usize::try_from(seed).unwrap() % 3, seed), &machine);
-        problem.items.iter_mut().for_each(|i| i.run = None);
-        let dense = sampled(&problem, 60);
-        let least = solve::exact(&at_nodes(dense)).unwrap().cost;
+        let (problem, least) = entered_anywhere(1 + usize::try_from(seed).unwrap() % 3, seed);
         let found = bound(&problem, least, 30_000_000, 100_000);
         assert!(found <= least * (1.0 + 1e-12), "{seed}: {found} above {least}");
         // What 60 places on a contour lack of all.
         assert!(found >= 0.97 * least, "{seed}: {found} far below {least}");
     }
+}
+
+/// A nested sheet of some parts whose contours are entered anywhere, and its optimum over many nodes.
+pub(crate) fn entered_anywhere(parts: usize, seed: u64) -> (Problem, f64) {
+    let mut machine = machines(seed);
+    machine.return_home = !seed.is_multiple_of(3);
+    let mut problem = problem_of(&nested_sheet(parts, seed), &machine);
+    problem.items.iter_mut().for_each(|i| i.run = None);
+    let least = solve::exact(&at_nodes(sampled(&problem, 60))).unwrap().cost;
+    (problem, least)
 }
 
 /// The same problem with this number of nodes on every track.
@@ -336,11 +341,7 @@ fn shares_never_above_the_optimum() {
 fn shares_with_entries_anywhere() {
     let (mut sum, mut sum_least) = (0.0, 0.0);
     for seed in 0..24 {
-        let mut machine = machines(seed);
-        machine.return_home = seed % 3 != 0;
-        let mut problem = problem_of(&nested_sheet(2 + usize::try_from(seed).unwrap() % 2, seed), &machine);
-        problem.items.iter_mut().for_each(|i| i.run = None);
-        let least = solve::exact(&at_nodes(sampled(&problem, 60))).unwrap().cost;
+        let (problem, least) = entered_anywhere(2 + usize::try_from(seed).unwrap() % 2, seed);
         let found = by_shares(&problem, 20_000_000).unwrap().value();
         assert!(found <= least, "{seed}: {found} above {least}");
         (sum, sum_least) = (sum + found, sum_least + least);

@@ -1,7 +1,7 @@
 //! Certificates of the bound by walks: what they prove of small problems of every kind, against exact optima, and what is refused.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::lower_bound::{at_nodes, machines, sampled, scattered};
+use crate::lower_bound::{entered_anywhere, scattered};
 use crate::testkit::sheets::{Dice, machine, nested_sheet};
 use kerfway::job::problem_of;
 use kerfway::plan::{CertificateFault, LowerBound, Part, PricedCut, WalkCertificate};
@@ -83,11 +83,7 @@ fn certificates_prove_the_bound_and_no_more_than_the_optimum() {
 #[test]
 fn contours_entered_anywhere() {
     for seed in 0..24 {
-        let mut machine = machines(seed);
-        machine.return_home = seed % 3 != 0;
-        let mut problem = problem_of(&nested_sheet(1 + usize::try_from(seed).unwrap() % 3, seed), &machine);
-        problem.items.iter_mut().for_each(|i| i.run = None);
-        let least = solve::exact(&at_nodes(sampled(&problem, 60))).unwrap().cost;
+        let (problem, least) = entered_anywhere(1 + usize::try_from(seed).unwrap() % 3, seed);
         let (value, certificate) = certified(&problem, least, 5_000_000);
         assert!(certificate.knots.iter().any(|knots| knots.len() > 2));
         let seconds = proven(&problem, &certificate).unwrap();

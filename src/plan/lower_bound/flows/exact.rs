@@ -1,8 +1,8 @@
 //! The value of the potentials as they are, over all legs.
 
+use super::super::space::Step;
 use super::super::walks::relax;
 use super::FlowBound;
-use super::net::Step;
 use super::record::Record;
 use crate::order::{real, sort_by};
 

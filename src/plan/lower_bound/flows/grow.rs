@@ -82,7 +82,7 @@ impl FlowBound {
     pub(super) fn add_tables(&mut self) {
         if self.want_tables() {
             let next = self.ground.pairs.list.len();
-            self.prepare(self.same_knots(), next);
+            self.prepare(self.members(), self.same_knots(), next);
         }
     }
 
@@ -91,7 +91,7 @@ impl FlowBound {
         self.select();
         self.step();
         let full = self.net.sources.len() > MOST_LEGS / 2 || self.net.width > MOST_WIDTH;
-        let members: Vec<usize> = self.ground.company.iter().map(Vec::len).collect();
+        let members = self.members();
         let fuller = !full && self.remember();
         let around = if full { None } else { self.halve() };
         let nearer = self.want_tables();
@@ -100,11 +100,13 @@ impl FlowBound {
         }
         let next = if around.is_some() { 0 } else { self.ground.pairs.list.len() };
         let around = around.unwrap_or_else(|| self.same_knots());
-        self.prepare(around, next);
-        if let Some(before) = &mut self.before {
-            before.members = members;
-        }
+        self.prepare(members, around, next);
         true
+    }
+
+    /// The number of members of each company.
+    fn members(&self) -> Vec<usize> {
+        self.ground.company.iter().map(Vec::len).collect()
     }
 
     /// For each knot of each item itself twice: see [`Before::around`].
@@ -112,12 +114,12 @@ impl FlowBound {
         self.ground.items.iter().map(|i| (0..i.knots).map(|v| [v; 2]).collect()).collect()
     }
 
-    /// Keeps the potentials, and goes on with the tables of pairs from `next` on.
-    fn prepare(&mut self, around: Vec<Vec<[usize; 2]>>, next: usize) {
+    /// Keeps the potentials of states with so many members, and goes on with the tables of pairs from `next` on.
+    fn prepare(&mut self, members: Vec<usize>, around: Vec<Vec<[usize; 2]>>, next: usize) {
         self.before = Some(Before {
             net: std::mem::take(&mut self.net),
             potentials: std::mem::take(&mut self.potentials),
-            members: self.ground.company.iter().map(Vec::len).collect(),
+            members,
             around,
         });
         if next == 0 {

@@ -4,6 +4,7 @@
 //! it has been there, or because they should have come before an item it has been to. What is barred stays known as long as it is in
 //! the company of all items since (ng-routes: Baldacci, Mingozzi & Roberti, 2011). Home is a state like others, where tours begin and end.
 
+use super::super::space::Step;
 use super::super::walks::Ground;
 use super::reach::{Key, Leg, on_circles};
 use crate::order::sort_by;
@@ -12,17 +13,6 @@ use std::ops::Range;
 
 /// Most legs between states: 100 MB with all that belongs to them.
 pub(super) const MOST_LEGS: usize = 2_000_000;
-
-/// Legs from one item to a state of another, between items whose pair has a table.
-#[derive(Clone, Debug)]
-pub(super) struct Step {
-    pub(super) from: usize,
-    pub(super) to: usize,
-    /// The pair and which of its two items is left.
-    pub(super) pair: (usize, usize),
-    /// The states left, a range of [`Net::sources`].
-    pub(super) sources: Range<usize>,
-}
 
 /// All states that a circle through home comes to, and the legs between them.
 #[derive(Clone, Debug, Default)]
@@ -77,7 +67,6 @@ impl Net {
                 far.clear();
             }
         }
-        let pairs = tables(ground);
         for [to, from, source] in legs.into_iter().filter(|&[to, _, source]| stays[to] && stays[source]) {
             let to = new[to];
             if let Some(last) = net.steps.last_mut().filter(|l| l.to == to && l.from == from) {
@@ -85,7 +74,7 @@ impl Net {
             } else {
                 let item = net.keys[to].0;
                 // The end of an open path is home too.
-                let pair = *pairs.get(&if item == 0 { (from, ground.first - 1) } else { (from, item) })?;
+                let pair = ground.pair(from, if item == 0 { ground.first - 1 } else { item })?;
                 let start = net.sources.len();
                 net.steps.push(Step { from, to, pair, sources: start..start + 1 });
             }
@@ -146,10 +135,13 @@ fn states(ground: &Ground) -> Option<(Vec<Key>, Vec<Leg>)> {
     let order = &ground.order;
     let is_barred = |past: usize, item: usize| item == past || order.forbids(past, item, false);
     let mut near: Vec<Vec<usize>> = vec![Vec::new(); count];
-    for &(from, to) in tables(ground).keys() {
-        if from >= first && to >= first && !order.forbids(from, to, false) {
-            near[from].push(to);
-        }
+    for (from, near) in near.iter_mut().enumerate().skip(first) {
+        let leads = |&&(_, side): &&(usize, usize)| side == 0 || !ground.prices.directed();
+        let pairs = ground.pairs.of[from].iter().filter(leads);
+        let others = pairs.map(|&(e, side)| ground.pairs.list[e].items[1 - side]);
+        near.extend(others.filter(|&to| to >= first && !order.forbids(from, to, false)));
+        near.sort_unstable();
+        near.dedup();
     }
     let mut known: BTreeMap<Key, usize> = BTreeMap::new();
     let mut keys: Vec<Key> = Vec::new();
@@ -183,17 +175,4 @@ fn states(ground: &Ground) -> Option<(Vec<Key>, Vec<Leg>)> {
 /// The items barred in a state.
 pub(super) fn barred(company: &[Vec<usize>], (item, bits): Key) -> impl Iterator<Item = usize> + '_ {
     company[item].iter().enumerate().filter(move |(bit, _)| bits >> bit & 1 == 1).map(|(_, &c)| c)
-}
-
-/// For each two items with a table of legs from the one to the other, the pair and which of its items is left.
-fn tables(ground: &Ground) -> BTreeMap<(usize, usize), (usize, usize)> {
-    let mut known = BTreeMap::new();
-    for (e, pair) in ground.pairs.list.iter().enumerate() {
-        let [a, b] = pair.items;
-        known.insert((a, b), (e, 0));
-        if !ground.prices.directed() {
-            known.insert((b, a), (e, 1));
-        }
-    }
-    known
 }

@@ -85,6 +85,8 @@ impl FlowBound {
         let flow = &mut self.flow;
         flow.inflow.clear();
         flow.inflow.resize(self.net.width, 0.0);
+        flow.outflow.clear();
+        flow.outflow.resize(self.net.width, 0.0);
         let mut sums = vec![0.0; self.pays.len()];
         for s in 0..self.legs.slots.len().saturating_sub(1) {
             let (slot, end) = (self.legs.slots[s], self.legs.slots[s + 1].legs as usize);
@@ -128,10 +130,8 @@ impl FlowBound {
         }
     }
 
-    /// The weights of all states of each item, which far legs leave, and of the state they come to. Empties what leaves.
-    fn far_weights(&mut self) -> (Vec<Weight>, Vec<Weight>) {
-        self.flow.outflow.clear();
-        self.flow.outflow.resize(self.net.width, 0.0);
+    /// The weights of all states of each item, which far legs leave, and of the state they come to.
+    fn far_weights(&self) -> (Vec<Weight>, Vec<Weight>) {
         let none = vec![Weight::default(); self.pays.len()];
         if self.legs.far.is_empty() {
             return (none.clone(), none);
