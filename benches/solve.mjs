@@ -2,10 +2,12 @@
 // under Node:
 //
 //     npm run bench -- solve [sheets|grids|holes|pool|qu-du|proofs|bounds|bounds-gtsplib|stops|gtsplib|pcgtsp|large|scaling]...
-//                            [--seconds S] [--seeds K] [--only NAME] [--cpu] [--data FOLDER] [--tsplib FOLDER]
+//                            [--seconds S] [--seeds K] [--only NAME] [--cpu] [--data FOLDER]
+//                            [--tsplib FOLDER [--log FILE] [--lkh PROGRAM]]
 //
 // `--cpu` counts processor time instead of the time of the clock, for a machine that others use too (Linux only).
-// `large`: the instances of GTSPLIB with 200 sets and more, made from the files of TSPLIB in the folder that `--tsplib` names.
+// `large`: the instances of GTSPLIB with 200 sets and more, made from the files of TSPLIB in the folder that `--tsplib` names
+// (benches/solve/large.mjs: `--log` keeps each run, and goes on from what is there; `--lkh` runs the program LKH beside).
 // Instances are in benches/data. Those that may not be copied are read from `--data FOLDER` (benches/data/README.md). Each run has a
 // process of its own, one after the other, and ends early when the best known value is reached. The tour at the end of a run is
 // checked by code that shares nothing with the search. Other solvers run on the same instances if Python has them
@@ -24,8 +26,8 @@ import { mb, mean, median, ms, rows, table } from './common/table.mjs';
 import { asDxf } from '../benchmark/drawing.mjs';
 import { generated } from '../benchmark/generate.mjs';
 import { byHand, drawn, PATTERNS, SIDES } from './solve/grids.mjs';
-import { generalisedFrom } from './solve/clusters.mjs';
 import { MARKS as HOLE_MARKS } from './solve/holes.mjs';
+import { large } from './solve/large.mjs';
 import { at, baseline, boundsOf, HERE, inWasm, NATIVE, natively, off, percent, proven, PYTHON } from './solve/runs.mjs';
 import { partial, plates } from './solve/stops.mjs';
 
@@ -65,24 +67,32 @@ export async function bench(args) {
       cpu: { type: 'boolean' },
       data: { type: 'string' },
       tsplib: { type: 'string' },
+      log: { type: 'string' },
+      lkh: { type: 'string' },
     },
   });
   const unknown = positionals.find((name) => !(name in SETS));
   if (unknown !== undefined) throw new Stop(`There is no set ${unknown}: ${Object.keys(SETS).join(', ')}.`);
   const instances = new Instances(values.data);
   await setup({ tests: true });
-  build();
   const chosen = positionals.length > 0 ? positionals : Object.keys(SETS).filter((name) => name !== 'large' || values.tsplib !== undefined);
+  build(chosen);
   for (const name of chosen) {
-    const { seconds = SECONDS[name] ?? USUAL_SECONDS, seeds = 5, only, cpu, tsplib } = values;
-    await SETS[name]({ seconds: Number(seconds), seeds: Number(seeds), only, cpu, tsplib, instances });
+    const { seconds = SECONDS[name] ?? USUAL_SECONDS, seeds = 5, ...more } = values;
+    await SETS[name]({ ...more, seconds: Number(seconds), seeds: Number(seeds), instances });
     instances.report();
   }
 }
 
-function build() {
+function build(chosen) {
+  const manifest = ['--manifest-path', join(HERE, 'Cargo.toml')];
+  if (chosen.every((name) => name === 'large')) {
+    console.log('bench: the search, natively');
+    run('cargo', ['build', '--release', ...manifest, '--bin', basename(NATIVE)]);
+    return;
+  }
   console.log('bench: the search, natively and in wasm');
-  run('cargo', ['build', '--release', '--manifest-path', join(HERE, 'Cargo.toml')]);
+  run('cargo', ['build', '--release', ...manifest]);
   const args = [
     ...['build', HERE, '--release', '--target', 'web', '--mode', 'no-install', '--no-pack'],
     ...['--out-dir', join(DIST, 'bench-solve'), '--out-name', 'solve'],
@@ -318,31 +328,6 @@ function library(set, extension, options, baselines) {
   const reached = gaps.filter((g) => g <= 1e-6).length;
   console.log(`reached ${reached} of ${gaps.length} runs, mean gap ${mean(gaps).toFixed(4)} %`);
   if (solvers.length > 0) console.log(`a seed behind another solver in the same time: ${behind.join(', ') || 'none'}`);
-}
-
-/** Most sets of an instance that LKH is given: it gets a table of the costs of all pairs of nodes, and has no limit of time. */
-const LKH_MOST = 300;
-/** Least number of sets of a large instance. */
-const LARGE = 200;
-
-/** Large instances of GTSPLIB, natively in one thread, and LKH where Python has it. */
-function large({ seconds, seeds, only, cpu, tsplib }) {
-  if (tsplib === undefined) throw new Stop('The set large needs --tsplib FOLDER: a folder with the .tsp files of TSPLIB.');
-  const marks = [10, 60, 600].filter((m) => m <= seconds);
-  const lkh = ask(PYTHON, '-c', 'import elkai') !== null;
-  const lines = generalisedFrom(tsplib, { least: LARGE, only }).map((file) => {
-    const [{ runs, items }] = natively(file, { seconds, seeds, cpu }, '--on');
-    const other = lkh && items <= LKH_MOST ? baseline(file, 'elkai', seconds) : undefined;
-    const line = [
-      basename(file, '.gtsp'), String(items), `${median(runs.map((r) => r.trace[0][0])).toFixed(2)} s`, String(median(runs.map((r) => r.trace[0][1]))),
-      ...marks.map((m) => String(median(runs.map((r) => at(r, m))))), String(Math.min(...runs.map((r) => r.value))), String(runs[0].known ?? 'none'),
-      other === undefined ? NOT_RUN : `${other.length} in ${other.seconds} s`, `${mb(Math.max(...runs.map((r) => r.memory)))} MB`,
-    ];
-    console.log(line.join('  '));
-    return line;
-  });
-  const columns = ['', 'sets', 'first tour after', 'first tour', ...marks.map((m) => `after ${m} s`), 'best', 'best known', 'LKH by Noon and Bean', 'memory'];
-  table(`GTSPLIB with ${LARGE} sets and more, natively, one thread: length of the tour, median of ${seeds} seeds`, columns, lines);
 }
 
 /** Compares the time of a move in wasm and natively, in alternating runs, on sheets of growing size. */

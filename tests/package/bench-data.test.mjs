@@ -7,7 +7,8 @@ import { tmpdir } from 'node:os';
 import { join, sep } from 'node:path';
 import { describe, it } from 'node:test';
 import { Instances } from '../../benches/common/data.mjs';
-import { clusters, generalisedFrom, parts } from '../../benches/solve/clusters.mjs';
+import { clusters, generalisedFrom, generalisedRandom } from '../../benches/solve/clusters.mjs';
+import { parts } from '../../benches/solve/tsplib.mjs';
 import { ROOT } from './support.mjs';
 
 const manifest = JSON.parse(readFileSync(join(ROOT, 'benches', 'data', 'manifest.json'), 'utf8'));
@@ -35,9 +36,9 @@ describe('benches/data', () => {
     }
   });
 
-  it('has no file that the manifest does not name', () => {
+  it('has no instance that the manifest does not name', () => {
     const stored = readdirSync(join(ROOT, 'benches', 'data'), { recursive: true, withFileTypes: true })
-      .filter((entry) => entry.isFile() && !['README.md', 'manifest.json'].includes(entry.name))
+      .filter((entry) => entry.isFile() && !['README.md', 'manifest.json', 'large.jsonl'].includes(entry.name))
       .map((entry) => join(entry.parentPath, entry.name));
     const named = manifest.files.map(({ stored }) => join(ROOT, stored));
     assert.deepEqual(stored.filter((file) => !named.includes(file)), []);
@@ -64,7 +65,9 @@ describe('benches/data', () => {
       const nodes = places.map((x, k) => `${k + 1} ${x} 0`);
       writeFileSync(join(folder, 'heaps15.tsp'), ['NAME : heaps15', 'TYPE : TSP', 'DIMENSION : 15', 'EDGE_WEIGHT_TYPE : EUC_2D', 'NODE_COORD_SECTION', ...nodes, 'EOF', ''].join('\n'));
       assert.deepEqual(generalisedFrom(folder, { least: 4 }), []);
-      const [file] = generalisedFrom(folder, { least: 3 });
+      const [{ sets, file: make }] = generalisedFrom(folder, { least: 3 });
+      assert.equal(sets, 3);
+      const file = make();
       assert.match(file, /3heaps15\.gtsp$/);
       const made = parts(readFileSync(file, 'latin1'));
       assert.deepEqual(made.sections.get('GTSP_SET_SECTION').filter(Boolean), ['1 11 12 13 14 15 -1', '2 1 2 3 4 5 -1', '3 6 7 8 9 10 -1']);
@@ -75,6 +78,14 @@ describe('benches/data', () => {
     } finally {
       rmSync(folder, { recursive: true });
     }
+  });
+
+  it('makes the eight of DIMACS with 200 sets and more', () => {
+    const made = generalisedRandom({ least: 200 });
+    assert.deepEqual(made.map(({ name }) => name), ['200E1k.0', '200C1k.0', '633E3k.0', '633C3k.0', '2000E10k.0', '2000C10k.0', '6325E31k.0', '6325C31k.0']);
+    const { header, sections } = parts(readFileSync(made[1].file(), 'latin1'));
+    assert.deepEqual([header.get('DIMENSION'), header.get('GTSP_SETS')], ['1000', '200']);
+    assert.equal(sections.get('GTSP_SET_SECTION').filter(Boolean).flatMap((row) => row.split(' ').slice(1, -1)).length, 1000);
   });
 
   it('reports what was not run, and why', () => {

@@ -1,7 +1,7 @@
 //! The search on benchmark instances, natively: `kerfway-bench-solve FILE... [--seconds S | --moves N] [--seeds K]
-//! [--first SEED] [--json]`. Prints one line for each instance, or one JSON line for each run. A run ends as soon as it
-//! reaches the best known value, unless `--on` is given. `--cpu` counts processor time instead of the time of the clock,
-//! for a machine that others use too (Linux only).
+//! [--first SEED] [--json [--tour]]`. Prints one line for each instance, or one JSON line for each run, with the nodes of the
+//! tour if `--tour` is given. A run ends as soon as it reaches the best known value, unless `--on` is given. `--cpu` counts
+//! processor time instead of the time of the clock, for a machine that others use too (Linux only).
 
 use kerfway::solve::{self, Status};
 use kerfway_bench_solve::source::Source;
@@ -19,6 +19,7 @@ struct Options {
     json: bool,
     on: bool,
     cpu: bool,
+    tour: bool,
 }
 
 /// The result of one run.
@@ -31,6 +32,8 @@ struct Run {
     reached: bool,
     /// Seconds and value at the start and at every improvement.
     trace: Vec<(f64, f64)>,
+    /// The numbers of the nodes in the file; none for sheets.
+    tour: Option<Vec<u32>>,
 }
 
 fn main() {
@@ -58,6 +61,7 @@ fn options() -> Result<Options, String> {
         json: false,
         on: false,
         cpu: false,
+        tour: false,
     };
     let mut args = std::env::args().skip(1);
     while let Some(word) = args.next() {
@@ -72,6 +76,7 @@ fn options() -> Result<Options, String> {
             "--json" => o.json = true,
             "--on" => o.on = true,
             "--cpu" => o.cpu = true,
+            "--tour" => o.tour = true,
             _ => o.files.push(word),
         }
     }
@@ -84,12 +89,15 @@ fn bench(source: &Source, options: &Options) -> Result<(), String> {
         let run =
             run(source, seed, options).map_err(|fault| format!("{} seed {seed}: {fault}", source.name))?;
         if options.json {
-            let row = serde_json::json!({
+            let mut row = serde_json::json!({
                 "instance": source.name, "items": source.problem.items.len(), "nodes": source.problem.nodes.len(),
                 "known": source.known, "seed": seed, "value": run.value, "gap": gap(source, &run),
                 "seconds": run.seconds, "found": run.found, "moves": run.moves, "reached": run.reached,
                 "trace": run.trace, "memory": peak(),
             });
+            if options.tour {
+                row["tour"] = serde_json::json!(run.tour);
+            }
             println!("{row}");
         }
         runs.push(run);
@@ -140,7 +148,8 @@ fn run(source: &Source, seed: u64, options: &Options) -> Result<Run, String> {
             // Checked at the end only: on 10,000 contours a check at every improvement would take most of the time.
             least = source.checked(search.best())?;
             trace.push((found, least));
-            return Ok(Run { value: least, seconds, moves, found, reached: reached(least), trace });
+            let tour = source.tour(search.best());
+            return Ok(Run { value: least, seconds, moves, found, reached: reached(least), trace, tour });
         }
     }
 }

@@ -129,6 +129,12 @@ impl Source {
         Some(Legs::new(&problem, Measure::Seconds).tour_length(&nodes))
     }
 
+    /// The tour of a solution in the node numbers of its file; none where there is no such file.
+    pub fn tour(&self, solution: &Solution) -> Option<Vec<u32>> {
+        let Kind::Instance(instance) = &self.kind else { return None };
+        Some(instance.tour(solution.stops.iter().map(|s| s.node)))
+    }
+
     /// The length of a solution, checked by code that shares nothing with the search.
     pub fn checked(&self, solution: &Solution) -> Result<f64, String> {
         match &self.kind {

@@ -1,0 +1,119 @@
+// The bench of GTSPLIB's large instances: DIMACS' random instances, LKH beside, lengths that are added up again, and the table.
+
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { chmodSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, it } from 'node:test';
+import { mulberry32 } from '../../benchmark/generate.mjs';
+import { random } from '../../benches/solve/dimacs.mjs';
+import { checked, lineOf, markdown, read } from '../../benches/solve/large.mjs';
+import { costs, lengthOf, parts } from '../../benches/solve/tsplib.mjs';
+import { folder, ROOT } from './support.mjs';
+
+/** SHA-256 of what portgen.c and portcgen.c of the Eighth DIMACS Implementation Challenge (1999) print, compiled by gcc 12. */
+const DIMACS = {
+  'E1k.0': 'a1a2e090cbc6c916f6920cec949400a70d3c4de03d516197848e57f352b8f596',
+  'C1k.0': 'a7875db1ea0bc719e6eccdbe8c42301ddff4c9582b99805c09b536e73ab447a8',
+  'E3k.0': 'b6d2eb3215adf296aee958b6333e52e66e021ec489d7876f422e7984ee0ba3f9',
+  'C3k.0': 'c74f9be8e0ae35ff855014efa484c4b4e60e9f427f12b93b0fa73aa97df54480',
+  'E10k.0': '57ed8b6a79233c00011086bc063b896bc91b2e6762cecfbc151d9a06eaa17353',
+  'C10k.0': 'ce3ef19e45235fa5186724aeb8131f1df9abbe213f209ea7160ea33f157100c1',
+  'E31k.0': '498f44551cce6269a9addcfb89537182e59407f4b01be20e9761fef1ccc6683a',
+  'C31k.0': '6e0a90ce9f605c9a1246da6a66ad8a14e18615b22307761b893c60a3da9d3c46',
+};
+
+/** Two nodes a set, on a line. */
+const LINE = ['NAME: 3line6', 'TYPE: GTSP', 'DIMENSION: 6', 'EDGE_WEIGHT_TYPE: EUC_2D', 'GTSP_SETS: 3', 'NODE_COORD_SECTION', ...[0, 1, 10, 11, 20, 21].map((x, k) => `${k + 1} ${x} 0`), 'GTSP_SET_SECTION', '1 1 2 -1', '2 3 4 -1', '3 5 6 -1', 'EOF', ''].join('\n');
+
+/** A GTSP of few sets with asymmetric costs. */
+function drawn(seed) {
+  const next = mulberry32(seed);
+  const sets = [];
+  let nodes = 0;
+  while (sets.length < 3 + (seed % 2)) sets.push(Array.from({ length: 1 + (next() % 3) }, () => ++nodes));
+  const matrix = Array.from({ length: nodes }, () => Array.from({ length: nodes }, () => 1 + (next() % 100)));
+  return ['NAME: drawn', 'TYPE: AGTSP', `DIMENSION: ${nodes}`, `GTSP_SETS: ${sets.length}`, 'EDGE_WEIGHT_TYPE: EXPLICIT', 'EDGE_WEIGHT_FORMAT: FULL_MATRIX', 'EDGE_WEIGHT_SECTION', ...matrix.map((row) => row.join(' ')), 'GTSP_SET_SECTION', ...sets.map((set, k) => [k + 1, ...set, -1].join(' ')), 'EOF', ''].join('\n');
+}
+
+const setsOf = (instance) => instance.sections.get('GTSP_SET_SECTION').filter(Boolean).map((row) => row.split(' ').map(Number).slice(1, -1));
+
+/** The length of the best tour, by trying all. */
+function optimum(instance) {
+  const extend = (tour, left) => (left.length === 0 ? [lengthOf(instance, tour)] : left.flatMap((set, k) => set.flatMap((node) => extend([...tour, node], left.toSpliced(k, 1)))));
+  const [first, ...others] = setsOf(instance);
+  return Math.min(...first.flatMap((node) => extend([node], others)));
+}
+
+const python = process.env.KERFWAY_PYTHON ?? 'python3';
+const NEEDS_NUMPY = { skip: spawnSync(python, ['-c', 'import numpy']).status !== 0 && 'Python has no numpy' };
+
+describe('the bench of large instances', () => {
+  for (const [name, sha256] of Object.entries(DIMACS)) {
+    it(`makes ${name} as the generators of the challenge do, byte for byte`, () => {
+      assert.equal(createHash('sha256').update(random(name)).digest('hex'), sha256);
+    });
+  }
+
+  it('adds the length of a tour up from the coordinates, and refuses what is no tour', () => {
+    const instance = parts(LINE);
+    assert.equal(lengthOf(instance, [2, 3, 5]), 9 + 10 + 19);
+    assert.throws(() => lengthOf(instance, [2, 3, 4, 5]), /visits the set of node 4 twice/);
+    assert.throws(() => lengthOf(instance, [2, 3]), /visits 2 of 3 sets/);
+    assert.throws(() => lengthOf(instance, [2, 3, 7]), /a node 7, which the instance has not/);
+  });
+
+  it('refuses a run whose length is not that of its tour', (t) => {
+    const path = join(folder(t), '3line6.gtsp');
+    writeFileSync(path, LINE);
+    assert.equal(checked(path, [2, 3, 5], 38), 38);
+    assert.throws(() => checked(path, [2, 3, 5], 37), /the tour is 38 long and not 37/);
+    const run = { seed: 2, trace: [[0, 50], [9, 40], [30, 38]], value: 38, memory: 1e6, tour: [2, 3, 5] };
+    const line = lineOf({ by: 'kerfway', instance: '3line6', nodes: 6, sets: 3, path }, run, { seconds: 60, clock: 'wall' });
+    assert.deepEqual([line.first, line.after, line.checked], [50, { 10: 40, 60: 38 }, 'coordinates']);
+  });
+
+  it('has LKH solve what is equivalent: the optimum of the transformed instance is that of the instance', NEEDS_NUMPY, (t) => {
+    const place = folder(t);
+    const [program, file, cost] = ['lkh', 'drawn.gtsp', 'cost'].map((name) => join(place, name));
+    writeFileSync(program, `#!/bin/sh\nexec "${process.execPath}" "${join(ROOT, 'tests', 'package', 'exact-atsp.mjs')}" "$@"\n`);
+    chmodSync(program, 0o755);
+    for (let seed = 1; seed <= 8; seed++) {
+      writeFileSync(file, drawn(seed));
+      const instance = parts(drawn(seed));
+      const { stdout, stderr, status } = spawnSync(python, [join(ROOT, 'benches', 'solve', 'lkh.py'), program, file, '--seconds', '1'], { encoding: 'utf8', env: { ...process.env, EXACT_COSTS: cost } });
+      assert.equal(status, 0, stderr);
+      const { tour, value } = JSON.parse(stdout);
+      const best = optimum(instance);
+      assert.equal(value, best, `seed ${seed}`);
+      assert.equal(lengthOf(instance, tour), best, `seed ${seed}`);
+      // Every set costs a way into it, which is twice the greatest cost and one.
+      const { count, cost: between } = costs(instance);
+      const nodes = Array.from({ length: count }, (_, k) => k);
+      const way = 2 * Math.max(...nodes.flatMap((a) => nodes.filter((b) => b !== a).map((b) => between(a, b)))) + 1;
+      assert.equal(Number(readFileSync(cost, 'utf8')), best + way * setsOf(instance).length, `seed ${seed}`);
+    }
+  });
+
+  it('says so when LKH finds no tour', NEEDS_NUMPY, (t) => {
+    const place = folder(t);
+    const [program, file] = ['lkh', 'line.gtsp'].map((name) => join(place, name));
+    writeFileSync(program, '#!/bin/sh\necho no memory >&2\nexit 1\n');
+    chmodSync(program, 0o755);
+    writeFileSync(file, LINE);
+    assert.match(spawnSync(python, [join(ROOT, 'benches', 'solve', 'lkh.py'), program, file], { encoding: 'utf8' }).stderr, /found no tour: no memory/);
+  });
+
+  it('makes a table of medians, of the longest run of each seed', () => {
+    const line = (seed, limit, after) => JSON.stringify({ by: 'kerfway', instance: '3line6', sets: 3, seed, limit, first: 50, after, value: Math.min(...Object.values(after)), memory: 2e6, checked: 'coordinates' });
+    const lkh = JSON.stringify({ by: 'LKH', instance: '3line6', sets: 3, seed: 1, limit: 60, seconds: 71.4, value: 44, checked: 'coordinates' });
+    const lines = read([line(1, 60, { 10: 45, 60: 44 }), line(2, 60, { 10: 43, 60: 41 }), line(3, 60, { 10: 42, 60: 39 }), line(1, 600, { 10: 45, 60: 40, 600: 38 }), lkh, ''].join('\n'));
+    assert.equal(markdown(lines).split('\n').at(-1), '| 3line6 | 3 | 1, 2, 3 | 50 | 43 | 40 | 38 | 38 |  | 44 (15.789%, 71 s) | 2 MB |'.replace('%', ' %'));
+  });
+
+  it('made the table in benches/data/README.md of the runs in large.jsonl', () => {
+    const data = (name) => readFileSync(join(ROOT, 'benches', 'data', name), 'utf8');
+    assert.ok(data('README.md').includes(`\n${markdown(read(data('large.jsonl')))}\n`));
+  });
+});
