@@ -128,15 +128,19 @@ def noon_bean(costs, sets):
     return matrix
 
 
+def entered(tour, sets):
+    """The order in which a tour of all nodes enters the sets."""
+    of = set_of(sets)
+    # From the first node of a set on, so that the set in which the tour file begins is not split.
+    start = next((k for k in range(len(tour)) if of[tour[k]] != of[tour[k - 1]]), 0)
+    return list(dict.fromkeys(of[node] for node in tour[start:] + tour[:start]))
+
+
 def lkh(costs, sets, _seconds):
     import elkai
 
-    of = set_of(sets)
     tour = elkai.DistanceMatrix(noon_bean(costs, sets).tolist()).solve_tsp(runs=1)[:-1]
-    # From the first node of a set on: the order in which the sets are entered.
-    start = next((k for k in range(len(tour)) if of[tour[k]] != of[tour[k - 1]]), 0)
-    order = list(dict.fromkeys(of[node] for node in tour[start:] + tour[:start]))
-    return best_entries(costs, sets, order), ""
+    return best_entries(costs, sets, entered(tour, sets)), ""
 
 
 def single_node_set(sets):

@@ -10,9 +10,9 @@
 import { appendFileSync, existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { ROOT, Stop } from '../../scripts/tools.mjs';
-import { mb, median, rows } from '../common/table.mjs';
+import { mb, median } from '../common/table.mjs';
 import { generalisedFrom, generalisedRandom } from './clusters.mjs';
-import { at, HERE, natively, percent, PYTHON } from './runs.mjs';
+import { at, firstRow, HERE, natively, percent, PYTHON } from './runs.mjs';
 import { lengthOf, parts } from './tsplib.mjs';
 
 /** Least number of sets of a large instance. */
@@ -38,7 +38,10 @@ export function large({ seconds, seeds, only, cpu = false, tsplib, log, lkh }) {
   for (let seed = 1; seed <= seeds; seed++) {
     for (const instance of instances.filter((i) => !isDone(i, US, seed))) add(ours(instance, seed, { seconds, cpu }));
     if (lkh === undefined || seed > 1) continue;
-    for (const instance of instances.filter((i) => i.nodes <= LKH_MOST && !isDone(i, LKH, seed))) add(byLkh(instance, seed, { program: lkh, seconds }));
+    for (const instance of instances.filter((i) => i.nodes <= LKH_MOST && !isDone(i, LKH, seed))) {
+      const line = byLkh(instance, seed, { program: lkh, seconds });
+      if (line !== undefined) add(line);
+    }
   }
   console.log(`\n${markdown(lines)}`);
 }
@@ -58,9 +61,12 @@ export function lineOf({ path, ...about }, { seed, trace, value, memory, tour },
   return { ...about, seed, limit: seconds, seconds, clock, first: trace[0][1], after, value: checked(path, tour, value), memory, checked: 'coordinates' };
 }
 
+/** The line of a run of LKH; `undefined`, with the reason printed, if it finds no tour. */
 function byLkh({ name, nodes, sets, file }, seed, { program, seconds }) {
   const path = file();
-  const [{ tour, value, seconds: used }] = rows(PYTHON, [join(HERE, 'lkh.py'), program, path, '--seconds', String(seconds), '--seed', String(seed)]);
+  const row = firstRow(PYTHON, [join(HERE, 'lkh.py'), program, path, '--seconds', String(seconds), '--seed', String(seed)], `LKH on ${name}`);
+  if (row === undefined) return undefined;
+  const { tour, value, seconds: used } = row;
   return { by: LKH, instance: name, nodes, sets, seed, limit: seconds, seconds: used, clock: 'processor', value: checked(path, tour, value), checked: 'coordinates' };
 }
 

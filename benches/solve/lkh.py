@@ -2,7 +2,8 @@
 
     lkh.py PROGRAM FILE.gtsp [--seconds 60] [--seed 1]
 
-LKH gets the table of all costs, has that many seconds of the processor after its preparation, and finishes the trial that it has begun.
+LKH gets the table of all costs and the parameters that GLKH's script gives it, has that many seconds of the processor after its
+preparation, and finishes the trial that it has begun.
 The entry nodes are then made optimal for the order of the sets. Prints one line of JSON: the tour in the numbers of the file, its
 length, and all seconds of the processor that LKH took. Needs numpy.
 
@@ -18,17 +19,19 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from baselines import best_entries, length, noon_bean, read, set_of, visits_every_set
+from baselines import best_entries, entered, length, noon_bean, read, visits_every_set
 
-"""Seconds of the clock after which LKH is stopped, for each second that it is given."""
+# Seconds of the clock after which LKH is stopped, for each second that it is given.
 PATIENCE = 15
-"""The greatest cost times the precision that LKH can work with: half of what it has for costs, so that sums of two fit."""
+# What the script runGLKH of GLKH 1.0 sets.
+GLKH = {"ASCENT_CANDIDATES": 500, "INITIAL_PERIOD": 1000, "MAX_CANDIDATES": 30}
+# The greatest cost times the precision that LKH can work with: half of what it has for costs, so that sums of two fit.
 MOST = 2**29
 
 
 def precision(most):
-    """How finely LKH divides costs in its ascent: its usual hundredths, or tenths or none where costs are large."""
-    fitting = [p for p in (100, 10, 1) if most * p <= MOST]
+    """Parts of a unit of costs in LKH's ascent: tenths as in GLKH, or none where costs are large."""
+    fitting = [p for p in (10, 1) if most * p <= MOST]
     if not fitting:
         raise SystemExit("The costs of this instance are too large for LKH after the transformation.")
     return fitting[0]
@@ -47,14 +50,6 @@ def nodes_of(tour_file):
     return [int(word) - 1 for word in words[: words.index("-1")]]
 
 
-def entered(tour, sets):
-    """The order in which a tour of all nodes enters the sets."""
-    of = set_of(sets)
-    # From the first node of a set on, so that the set in which the tour file begins is not split.
-    start = next((k for k in range(len(tour)) if of[tour[k]] != of[tour[k - 1]]), 0)
-    return list(dict.fromkeys(of[node] for node in tour[start:] + tour[:start]))
-
-
 def solve(program, costs, sets, seconds, seed):
     """The tour that LKH finds, and the seconds of the processor that it took."""
     matrix = noon_bean(costs, sets)
@@ -62,11 +57,14 @@ def solve(program, costs, sets, seconds, seed):
         problem, tour, parameters = (Path(folder) / name for name in ("problem.atsp", "best.tour", "lkh.par"))
         problem.write_text(written(matrix))
         lines = {
-            "PROBLEM_FILE": problem, "TOUR_FILE": tour, "RUNS": 1, "SEED": seed, "TIME_LIMIT": seconds, "MAX_TRIALS": 10**6,
+            **GLKH, "PROBLEM_FILE": problem, "TOUR_FILE": tour, "RUNS": 1, "SEED": seed, "TIME_LIMIT": seconds, "MAX_TRIALS": 10**6,
             "PRECISION": precision(int(matrix.max())), "TRACE_LEVEL": 0,
         }  # fmt: skip
         parameters.write_text("".join(f"{key} = {value}\n" for key, value in lines.items()))
-        ran = subprocess.run([program, parameters], stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=PATIENCE * seconds)
+        try:
+            ran = subprocess.run([program, parameters], stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=PATIENCE * seconds)
+        except subprocess.TimeoutExpired:
+            raise SystemExit(f"{program} was stopped after {PATIENCE * seconds:.0f} s of the clock.") from None
         if ran.returncode != 0 or not tour.exists():
             raise SystemExit(f"{program} found no tour: {(ran.stderr or ran.stdout).strip()[-300:]}")
         order = entered(nodes_of(tour.read_text()), sets)

@@ -46,12 +46,15 @@ export const off = (value, bound) => (bound > 0 ? `${((100 * Math.max(0, value -
 export const percent = (value, known) => (known === null ? '' : `${((100 * (value - known)) / known).toFixed(3)} %`);
 
 /** The result of another solver; `undefined` if it cannot solve the instance (two of them need a set of one node to start from). */
-export function baseline(file, solver, seconds) {
+export const baseline = (file, solver, seconds) => firstRow(PYTHON, [BASELINES, file, '--seconds', String(seconds), '--solver', solver], `${solver} on ${basename(file)}`);
+
+/** The first row that a program of others prints; `undefined`, with the reason printed, if it fails. */
+export function firstRow(command, args, what) {
   try {
-    return rows(PYTHON, [BASELINES, file, '--seconds', String(seconds), '--solver', solver])[0];
+    return rows(command, args)[0];
   } catch (e) {
     if (!(e instanceof Stop)) throw e;
-    console.log(`bench: ${solver} on ${basename(file)}: ${e.message.trim().split('\n').at(-1)}`);
+    console.log(`bench: ${what}: ${e.message.trim().split('\n').at(-1)}`);
     return undefined;
   }
 }
