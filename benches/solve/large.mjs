@@ -55,9 +55,12 @@ function ours({ name, nodes, sets, file }, seed, { seconds, cpu }) {
   return lineOf({ by: US, instance: name, nodes, sets, path }, { ...run, seed }, { seconds, clock: cpu ? 'processor' : 'wall' });
 }
 
-/** The line of a run of the native program, its tour checked. */
+/**
+ * The line of a run of the native program, its tour checked. On more nodes than a table of costs may have, the search counts distances
+ * that are not rounded: values on the way are these, and the last one is that of the instance.
+ */
 export function lineOf({ path, ...about }, { seed, trace, value, memory, tour }, { seconds, clock }) {
-  const after = Object.fromEntries(MARKS.filter((m) => m <= seconds).map((m) => [m, at({ trace }, m)]));
+  const after = Object.fromEntries(MARKS.filter((m) => m <= seconds).map((m) => [m, m === seconds ? value : at({ trace }, m)]));
   return { ...about, seed, limit: seconds, seconds, clock, first: trace[0][1], after, value: checked(path, tour, value), memory, checked: 'coordinates' };
 }
 
@@ -80,7 +83,7 @@ export function checked(path, tour, value) {
 /** The table of a log, in Markdown: medians of the seeds that were run, and LKH's value. */
 export function markdown(lines) {
   const known = JSON.parse(readFileSync(join(ROOT, 'benches', 'data', 'gtsplib', 'best_known.json'), 'utf8'));
-  const whole = (value) => (value === undefined ? '' : value.toLocaleString('en'));
+  const whole = (value) => (value === undefined ? '' : Math.round(value).toLocaleString('en'));
   const marks = MARKS.filter((m) => lines.some((l) => l.after?.[m] !== undefined));
   const names = [...new Set(lines.map((l) => l.instance))].sort((a, b) => parseInt(a) - parseInt(b) || (a < b ? -1 : 1));
   const body = names.map((name) => {
