@@ -9,6 +9,7 @@ use crate::plan::{Move, Plan, Way};
 use crate::problem::{Item, Span, Stroke};
 use crate::sheet::Sheet;
 use crate::solve::{Begun, begun};
+use crate::tipping::Piece;
 
 /// The path of the head.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -45,8 +46,10 @@ pub struct BestPath {
     pub via: Vec<f64>,
     /// The stop to which each of these moves leads; for the way home, the number of stops.
     pub via_of: Vec<u32>,
-    /// Contours that bound pieces which may tip once they are cut.
+    /// Contours that bound pieces which may tip once they are free; of a strip between parts, a cut across its end.
     pub tips: Vec<u32>,
+    /// The stop that frees each of these pieces.
+    pub freed_by: Vec<u32>,
     /// Seconds that the head waits before each stop until what was cut nearby has cooled; empty if it never does.
     pub waits: Vec<f64>,
 }
@@ -92,8 +95,8 @@ impl BestPath {
         if PLANS_ALL_LEVERS {
             path.loops = loops(&plan);
         }
-        if let Some(zones) = &problem.zones {
-            path.tips = zones.pieces().iter().filter_map(|p| p.cut_by.first().copied()).collect();
+        if let Some(zones) = problem.zones.as_ref().filter(|_| PLANS_ALL_LEVERS) {
+            path.add_tips(zones.pieces());
         }
         if problem.zones.is_some() || plan.summary.chains > 0 {
             path.add_ways(&plan);
@@ -101,6 +104,25 @@ impl BestPath {
         path.add_waits(&plan);
         path.times = cutting_times(&plan, &run.machine, sheet, &parts);
         (path, plan)
+    }
+
+    /// Adds the pieces that may tip, each with the last of the stops that free it.
+    fn add_tips(&mut self, pieces: &[Piece]) {
+        let mut last: Vec<Option<u32>> = Vec::new();
+        for (stop, &contour) in (0..).zip(&self.contours) {
+            let contour = contour as usize;
+            if last.len() <= contour {
+                last.resize(contour + 1, None);
+            }
+            last[contour] = Some(stop);
+        }
+        for piece in pieces {
+            let stops = piece.cut_by.iter().filter_map(|&c| last.get(c as usize).copied().flatten());
+            if let Some(stop) = stops.max() {
+                self.tips.push(piece.drawn);
+                self.freed_by.push(stop);
+            }
+        }
     }
 
     /// Adds a visit of a pierce group or of contours that are cut on the run: one stop for each stretch of a contour.

@@ -16,21 +16,9 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile) -> Result<(), JobError> {
         let sentence = "Parts that bridges connect are finished together. Leave out \"levers.bridges\", or do not cut part by part.";
         return Err(JobError::Conflict { field: "machine.levers", sentence });
     }
-    if bridges.cut_later {
-        let rounds = machine.levers.corners.is_some_and(|corners| corners.outer == CornerKind::Round);
-        let others = [
-            (
-                machine.levers.tips.is_some(),
-                "levers.tips",
-                "the connected parts may have dropped or tipped by then",
-            ),
-            (rounds, "levers.corners.outer", "rounded corners leave the ends of the strips uncut"),
-        ];
-        if let Some((_, other, why)) = others.into_iter().find(|other| other.0) {
-            let message =
-                format!("The machine has levers.bridges.cut_later and {other}, but {why}: give one of them.");
-            return Err(FieldError::new(Fault::Contradiction, "machine.levers", message).into());
-        }
+    if bridges.cut_later && machine.levers.corners.is_some_and(|corners| corners.outer == CornerKind::Round) {
+        let message = "The machine has levers.bridges.cut_later and levers.corners.outer, but rounded corners leave the ends of the strips uncut: give one of them.";
+        return Err(FieldError::new(Fault::Contradiction, "machine.levers", message.to_owned()).into());
     }
     let others =
         [("pre_cut_time", machine.pre_cut_time.is_some()), ("levers.fly", machine.levers.fly.is_some())];
@@ -51,7 +39,10 @@ pub(super) fn bridged(sheet: &Sheet, machine: &Profile, findings: &mut Vec<Findi
     let bridged = sheet.with_bridges(machine);
     let all = bridged.as_ref().map_or(&[][..], |sheet| &sheet.bridged);
     let (strips, parts) = all.iter().fold((0, 0), |(s, p), b| (s + b.strips.len(), p + b.outlines.len()));
-    let message = if all.is_empty() {
+    let lies = machine.levers.tips.is_some() && machine.levers.bridges.is_some_and(|b| b.cut_later);
+    let message = if all.is_empty() && lies {
+        "No bridge saves time and leads to a part that stays on the slats by itself. What drops or tips cannot be cut through later: leave out \"levers.bridges.cut_later\", and a person separates the parts.".to_owned()
+    } else if all.is_empty() {
         "No bridge saves time: no two parts face each other within reach with room for one, or piercing takes less than its sides.".to_owned()
     } else {
         let (bridges, pieces) = (plural(strips, "bridge", "bridges"), plural(all.len(), "piece", "pieces"));

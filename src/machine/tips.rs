@@ -7,6 +7,7 @@
 //! [lapas.io, "Micro-joints"]: https://lapas.io/blog/micro-joints-laser-cutting
 
 use crate::fields::{Field, Kind, Range};
+use crate::geometry::{Affine, Path};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
@@ -142,9 +143,20 @@ impl Tips {
         }
     }
 
-    /// The direction in which the slats run; `None` where they are not known.
-    pub fn slat_angle(&self) -> Option<f64> {
-        self.slats.map(|s| s.angle)
+    /// What becomes of what an outline bounds.
+    pub fn falls_within(&self, outline: &Path) -> Falls {
+        match self.slats {
+            // Turned so that the slats run along x.
+            Some(Slats { angle, .. }) => {
+                let turned = outline.segments.iter().filter_map(|s| Affine::rotation(-angle).segment(s));
+                let size = Path::new(turned.collect(), true).bounds().size();
+                self.falls(size.y, size.x)
+            }
+            None => {
+                let size = outline.bounds().size();
+                self.falls(size.min_element(), size.max_element())
+            }
+        }
     }
 
     /// Whether what is cut out of a hole of this size, mm, may be crossed with the head down.

@@ -62,8 +62,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
     let pairs = pairs(sheet, &joined);
     let ranks = ranks(sheet, machine, &joined, &pairs);
     // In a pierce group, no contour has joints.
-    let is_held = |c| !joined.holds(c) && planners.joints(c).is_some_and(|j| !j.joints.is_empty());
-    let zones = tipping::zones(sheet, machine, is_held);
+    let zones = tipping::zones(sheet, machine, |c| planners.joints(c).filter(|_| !joined.holds(c)));
     let avoided = zones.as_deref().filter(|z| PLANS_ALL_LEVERS && z.avoids());
     let flown = FlyGroups::new(sheet, machine, &planners, &ranks, avoided);
     let is_alone = |c| !joined.holds(c) && !flown.holds(c);

@@ -4,6 +4,7 @@
 mod beside;
 mod bridge_cuts;
 mod chains;
+mod cut_apart;
 mod entries;
 mod fly;
 mod from_sheet;

@@ -1,6 +1,8 @@
 //! Which pieces of a sheet may tip, and what frees them.
 
-use crate::geometry::{Aabb, Affine, BoxIndex, DVec2, Path};
+use super::cut_apart;
+use crate::geometry::{Aabb, BoxIndex, DVec2, Path};
+use crate::joint::ContourJoints;
 use crate::machine::{Falls, PLANS_ALL_LEVERS, Profile, Tips};
 use crate::sheet::{Contour, Operation, Sheet};
 use crate::tipping::{Piece, Zones, polygon};
@@ -13,13 +15,18 @@ const SAME_LINE: f64 = 0.1;
 const SPACING: f64 = 1.0;
 const MOST_PLACES: f64 = 500.0;
 
-/// The pieces that may tip on a machine with `levers.tips`. `is_held`: whether a contour has micro-joints.
+/// The pieces that may tip on a machine with `levers.tips`. `joints`: the micro-joints of a contour.
 ///
 /// A cut that bounds an area frees what is inside it: a part, or what is cut out of a hole. Of several passes the last one
 /// does, and of an outline whose sides are shared with others, the last of its own cuts and of those that cut the shared sides. A
 /// piece with micro-joints is held until a person breaks them, and is never free.
-pub(super) fn zones(sheet: &Sheet, machine: &Profile, is_held: impl Fn(u32) -> bool) -> Option<Arc<Zones>> {
+pub(super) fn zones(
+    sheet: &Sheet,
+    machine: &Profile,
+    joints: impl Fn(u32) -> Option<ContourJoints>,
+) -> Option<Arc<Zones>> {
     let tips = machine.levers.tips.filter(|_| PLANS_ALL_LEVERS)?;
+    let is_held = |c| joints(c).is_some_and(|j| !j.joints.is_empty());
     // What is left of a shape whose sides are shared with others, by the number of the shape.
     let mut rests: FxHashMap<u32, Vec<u32>> = FxHashMap::default();
     for (id, contour) in (0..).zip(&sheet.contours) {
@@ -44,6 +51,7 @@ pub(super) fn zones(sheet: &Sheet, machine: &Profile, is_held: impl Fn(u32) -> b
             pieces.push(Piece::new(cut_by, polygon(outline)));
         }
     }
+    pieces.extend(cut_apart::pieces(sheet, &tips, &joints));
     Zones::new(machine, pieces).map(Arc::new)
 }
 
@@ -83,19 +91,7 @@ fn frees(contour: &Contour) -> bool {
 
 /// Whether what an outline bounds may tip.
 fn tips_up(tips: &Tips, contour: &Contour, outline: &Path) -> bool {
-    let size = outline.bounds().size();
     let is_hole = contour.depth % 2 == 1;
-    if is_hole && tips.crosses_over(size) {
-        return false;
-    }
-    let (across, along) = match tips.slat_angle() {
-        // Turned so that the slats run along x.
-        Some(angle) => {
-            let turned = outline.segments.iter().filter_map(|s| Affine::rotation(-angle).segment(s));
-            let size = Path::new(turned.collect(), true).bounds().size();
-            (size.y, size.x)
-        }
-        None => (size.min_element(), size.max_element()),
-    };
-    tips.falls(across, along) == Falls::Tips
+    let crossed = is_hole && tips.crosses_over(outline.bounds().size());
+    !crossed && tips.falls_within(outline) == Falls::Tips
 }

@@ -55,6 +55,6 @@ pub(crate) use findings::plural;
 pub use groups::{GroupElement, PierceGroup};
 pub(crate) use kerf::{Shift, compensated, shifts};
 pub use model::{
-    Bridged, CommonCuts, Contour, ContourChoice, Group, HandJoint, Ignored, LayerUse, Operation, Part,
-    PassOrder, Pin, Sheet, SheetOptions, Strip,
+    BridgeCut, Bridged, CommonCuts, Contour, ContourChoice, Group, HandJoint, Ignored, LayerUse, Operation,
+    Part, PassOrder, Pin, Sheet, SheetOptions, Strip,
 };

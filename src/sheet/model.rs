@@ -240,6 +240,22 @@ pub struct Bridged {
     pub strips: Vec<Strip>,
     /// The contours directly inside these outlines, each with its outline. As [`Contour::inside`] they have the one that goes around all.
     pub within: Vec<(u32, u32)>,
+    /// Where the machine cuts the bridges later and minds what drops and what tips: the contours of the parts that do not stay by themselves, each
+    /// with the strip that holds it until last, as its place in the list.
+    pub holders: Vec<(u32, usize)>,
+    /// The cuts through the bridges, if the machine makes them.
+    pub cuts: Vec<BridgeCut>,
+}
+
+/// A cut across one end of a strip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BridgeCut {
+    /// Its contour.
+    pub contour: u32,
+    /// The contour of the part whose outline it completes.
+    pub outline: u32,
+    /// The strip, as its place in the list.
+    pub strip: usize,
 }
 
 /// A bridge: a straight strip of material through the waste, which keeps two parts connected.

@@ -16,16 +16,23 @@ const SIDES: u32 = 8;
 pub struct Piece {
     /// What frees it, once all of these are cut: contours of the sheet, which are items of the search.
     pub cut_by: Vec<u32>,
+    /// The contour of the sheet that is drawn where it is.
+    pub drawn: u32,
     /// The corners of its outline.
     outline: Vec<DVec2>,
     bounds: Aabb,
 }
 
 impl Piece {
-    /// A piece with the corners of its outline, in either direction.
+    /// A piece with the corners of its outline, in either direction. It is drawn as the first of what frees it.
     pub fn new(cut_by: Vec<u32>, outline: Vec<DVec2>) -> Self {
         let bounds = outline.iter().fold(Aabb::EMPTY, |b, &p| b.with(p));
-        Self { cut_by, outline, bounds }
+        Self { drawn: cut_by.first().copied().unwrap_or_default(), cut_by, outline, bounds }
+    }
+
+    /// The same, drawn as another contour.
+    pub fn drawn_as(self, drawn: u32) -> Self {
+        Self { drawn, ..self }
     }
 
     /// The smallest box around it.

@@ -54,6 +54,7 @@ pub(super) fn path(p: &BestPath) -> Result<JsValue, JsError> {
         ("via", Float64Array::from(p.via.as_slice()).into()),
         ("viaOf", Uint32Array::from(p.via_of.as_slice()).into()),
         ("tips", Uint32Array::from(p.tips.as_slice()).into()),
+        ("freedBy", Uint32Array::from(p.freed_by.as_slice()).into()),
         ("waits", Float64Array::from(p.waits.as_slice()).into()),
     ])
 }

@@ -103,8 +103,10 @@ export interface BestPath {
   via: Float64Array;
   /** The stop to which each of these moves leads; for the way home, the number of stops. */
   viaOf: Uint32Array;
-  /** The contours that bound pieces which may tip once they are cut. */
+  /** The contours that bound pieces which may tip once they are free; of a strip between parts, a cut across its end. */
   tips: Uint32Array;
+  /** The stop that frees each of these pieces: the last cut along its outline. */
+  freedBy: Uint32Array;
   /** The elements of loops at corners, seven numbers each as in `Geometry.segments`. */
   loops: Float64Array;
   /** Where each loop begins among the elements. */

@@ -326,7 +326,7 @@ function panicOf(build: { lastPanic(): string | undefined }): string | undefined
 }
 
 function pathBuffers({ path }: { path: import('./protocol.js').BestPath | null }): ArrayBuffer[] {
-  return path === null ? [] : buffers([path.contours, path.points, path.along, path.until, path.reversed, path.times, path.leads, path.leadOffsets, path.joints, path.jointOffsets, path.preCuts, path.pauses, path.ways, path.via, path.viaOf, path.tips, path.waits, path.loops, path.loopOffsets]);
+  return path === null ? [] : buffers([path.contours, path.points, path.along, path.until, path.reversed, path.times, path.leads, path.leadOffsets, path.joints, path.jointOffsets, path.preCuts, path.pauses, path.ways, path.via, path.viaOf, path.tips, path.freedBy, path.waits, path.loops, path.loopOffsets]);
 }
 
 function buffers(arrays: ArrayBufferView[]): ArrayBuffer[] {

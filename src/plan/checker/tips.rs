@@ -1,15 +1,19 @@
 //! Replays which pieces are free at what time, and looks for moves with the head down over those that may have tipped.
 //!
 //! It shares no formula with `src/tipping`: outlines are not polygons but lines and arcs, with the winding numbers of
-//! `nesting.rs`; moves over a piece are found by places along them; extents are those of places along the outline.
+//! `nesting.rs`; moves over a piece are found by places along them; extents are those of places along the outline (`tip_sizes.rs`). What comes free by
+//! cuts through bridges is found in `cut_apart.rs`.
 
+use super::cut_apart;
 use super::nesting::{pairs, winding};
+use super::tip_sizes::{SIZE_SLACK, tips_up};
 use super::violation::Violation;
-use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, distance, math};
-use crate::machine::{PLANS_ALL_LEVERS, Profile, RiskyMoves, SAME_SIZE, Tips};
+use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, distance};
+use crate::machine::{PLANS_ALL_LEVERS, Profile, RiskyMoves, Tips};
 use crate::plan::model::{Move, Plan, Way};
 use crate::sheet::{Operation, Sheet};
 use rustc_hash::{FxHashMap, FxHashSet};
+use std::borrow::Cow;
 
 /// A move with the head down must not be this deep over a piece, mm.
 const DEPTH: f64 = 0.1;
@@ -24,13 +28,11 @@ const STEP: f64 = 0.25;
 const MOST: f64 = 2000.0;
 /// Sides nearer than this are shared, mm.
 const ONE_LINE: f64 = 0.11;
-/// Half of what the sizes of a piece may be off, mm.
-const SIZE_SLACK: f64 = 5e-7;
 
 /// A piece that may tip.
 struct Piece<'s> {
     contour: u32,
-    outline: &'s Path,
+    outline: Cow<'s, Path>,
     /// Index of the last move that cuts its outline.
     free_from: usize,
     /// Whether it tips even if its sizes are off by their rounding.
@@ -56,7 +58,12 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         }
     }
     let Some(tips) = tips else { return };
-    let pieces = pieces(sheet, &tips, plan);
+    let mut pieces = pieces(sheet, &tips, plan);
+    for apart in cut_apart::pieces(sheet, &tips, plan, found) {
+        let surely = tips_up(&tips, &apart.outline, false, -SIZE_SLACK);
+        let cut_apart::Apart { contour, outline, free_from } = apart;
+        pieces.push(Piece { contour, outline: Cow::Owned(outline), free_from, surely });
+    }
     let reach = tips.nozzle_radius + tips.margin;
     let index = BoxIndex::new(pieces.iter().map(|p| p.outline.bounds().grown(reach + SLACK)));
     let mut head = machine.home();
@@ -68,7 +75,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             && !matches!(step.checked_sub(1).and_then(|k| plan.moves.get(k)), Some(Move::Cut { .. }))
             && let Some(piece) = (index.query(Aabb::of(from)).into_iter())
                 .filter_map(|k| pieces.get(k))
-                .find(|p| p.free_from < step && p.surely && from_piece(p.outline, from) < reach)
+                .find(|p| p.free_from < step && p.surely && from_piece(&p.outline, from) < reach)
         {
             let what = "begins on a kerf beside a piece that may have tipped";
             found.push(Violation::Tipped { step, contour: piece.contour, what, at: from });
@@ -79,7 +86,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             let near = |s: &Segment| index.query(s.bounds()).into_iter().filter_map(|k| pieces.get(k));
             let crossed = |s: &Segment| {
                 near(s)
-                    .find(|p| p.free_from < step && p.surely && crosses(s, p.outline, reach, DEPTH, -NEARER))
+                    .find(|p| p.free_from < step && p.surely && crosses(s, &p.outline, reach, DEPTH, -NEARER))
             };
             if let Some((contour, at)) = path.iter().find_map(|s| Some((crossed(s)?.contour, s.at(0.5)))) {
                 let what = match m {
@@ -100,7 +107,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         let near = index.query(line.bounds());
         let free = || near.iter().filter_map(|&k| pieces.get(k)).filter(|p| p.free_from < step);
         let middle = (from + *to) * 0.5;
-        let crossed = free().find(|p| p.surely && crosses(&line, p.outline, reach, DEPTH, -NEARER));
+        let crossed = free().find(|p| p.surely && crosses(&line, &p.outline, reach, DEPTH, -NEARER));
         match (way, crossed) {
             (Way::Crosses, _) if avoids => {
                 let contour = crossed.map_or(0, |p| p.contour);
@@ -108,7 +115,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                 found.push(Violation::Tipped { step, contour, what, at: middle });
             }
             (Way::Crosses, _)
-                if !free().any(|p| crosses(&line, p.outline, reach + SLACK, DEPTH * 0.1, NEARER)) =>
+                if !free().any(|p| crosses(&line, &p.outline, reach + SLACK, DEPTH * 0.1, NEARER)) =>
             {
                 let what = "is said to cross a tipped piece where there is none";
                 found.push(Violation::Tipped { step, contour: 0, what, at: middle });
@@ -168,7 +175,7 @@ fn pieces<'s>(sheet: &'s Sheet, tips: &Tips, plan: &Plan) -> Vec<Piece<'s>> {
         };
         if tips_up(tips, outline, hole, SIZE_SLACK) {
             let surely = tips_up(tips, outline, hole, -SIZE_SLACK);
-            pieces.push(Piece { contour, outline, free_from, surely });
+            pieces.push(Piece { contour, outline: Cow::Borrowed(outline), free_from, surely });
         }
     }
     pieces
@@ -193,42 +200,6 @@ fn shared(sheet: &Sheet, outline: &Path, own: &[u32]) -> Vec<u32> {
         .zip(&sheet.contours)
         .filter(|(id, c)| c.operation == Operation::Cut && c.next_pass.is_none() && !own.contains(id));
     cuts.filter(|(_, c)| c.path.segments.iter().any(is_shared)).map(|(id, _)| id).collect()
-}
-
-/// Whether a piece of this outline may tip: not one that drops, and not one that lies on several slats. What is as large as a
-/// limit, up to a millionth of a millimetre, is not below it; `slack` moves that by less.
-fn tips_up(tips: &Tips, outline: &Path, hole: bool, slack: f64) -> bool {
-    let below = |size: f64, limit: f64, slack: f64| size < limit - SAME_SIZE + slack;
-    let extent = |direction: DVec2| reach(outline, direction) + reach(outline, -direction);
-    let (width, height) = (extent(DVec2::X), extent(DVec2::Y));
-    if hole && width.max(height) <= tips.cross_over + SAME_SIZE - slack {
-        return false;
-    }
-    let (across, along) = match tips.slats {
-        None => (width.min(height), width.max(height)),
-        Some(slats) => {
-            let direction = DVec2::new(math::cos(slats.angle), math::sin(slats.angle));
-            (extent(direction.perp()), extent(direction))
-        }
-    };
-    let drops = tips.drops_below.or(tips.slats.map(|s| s.pitch)).unwrap_or(50.0);
-    let falls = below(across, drops, -slack) && below(along, drops, -slack);
-    below(across, tips.tips_below, slack) && !falls
-}
-
-/// How far an outline reaches in a direction of length 1, mm: to an end of an element, or to the place of an arc that looks
-/// that way.
-fn reach(outline: &Path, direction: DVec2) -> f64 {
-    let of = |s: &Segment| {
-        let ends = s.start().dot(direction).max(s.end().dot(direction));
-        match s {
-            Segment::Arc(arc) if arc.is_circle() || arc.fraction_of(direction).is_some() => {
-                ends.max(arc.center.dot(direction) + arc.radius())
-            }
-            _ => ends,
-        }
-    };
-    outline.segments.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// The distance of a place from an outline, mm.

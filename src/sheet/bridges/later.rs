@@ -4,33 +4,44 @@
 //! At each end of a strip, the stretch of the outline that the bridge left open becomes an open contour. Its ends lie where the cut around the
 //! parts turns into the strip, so it begins and ends on a kerf. With a kerf width it runs half a kerf outside the outline, as that cut does.
 
-use super::super::model::{Bridged, Contour, Operation, Sheet, Strip};
+use super::super::model::{BridgeCut, Bridged, Contour, Operation, Sheet, Strip};
+use super::held;
 use crate::geometry::{Arc, DVec2, Path, Segment};
 use crate::machine::Profile;
+use std::sync::Arc as Shared;
 
 impl Sheet {
     /// The sheet, already with the paths of the beam, with the cuts through its bridges; `None` if the machine makes none.
     pub(crate) fn with_bridge_cuts(&self, machine: &Profile) -> Option<Self> {
         machine.levers.bridges.filter(|bridges| bridges.cut_later && !self.bridged.is_empty())?;
         let mut sheet = self.clone();
+        let mut groups = Vec::with_capacity(self.bridged.len());
         for group in self.bridged.iter() {
+            let mut all = Vec::new();
             let offset = self.contours.get(group.contour as usize).is_some_and(|c| c.drawn.is_some());
             let beside = if offset { 0.5 * machine.kerf_width } else { 0.0 };
-            for strip in &group.strips {
+            for (k, strip) in group.strips.iter().enumerate() {
                 let cuts = [0, 1].into_iter().filter_map(|end| cut(group, strip, end, beside));
                 for (outline, shape) in cuts {
-                    sheet.contours.extend(self.completing(outline, shape));
+                    let Some(new) = self.completing(outline, shape) else { continue };
+                    let contour = u32::try_from(sheet.contours.len()).ok()?;
+                    all.push(BridgeCut { contour, outline, strip: k });
+                    sheet.contours.push(new);
                 }
             }
+            groups.push(Bridged { cuts: all, ..group.clone() });
         }
+        sheet.bridged = Shared::new(groups);
         Some(sheet)
     }
 
-    /// Pairs of contours of which the first comes before the second: the cut around connected parts, and a cut through one of their bridges.
+    /// Pairs of contours of which the first comes before the second: the cut around connected parts, and a cut through one of their bridges; and
+    /// cuts through bridges that are made in an order of their own.
     pub(crate) fn cut_apart(&self) -> impl Iterator<Item = (u32, u32)> {
         let around = |outline: u32| self.contours.get(outline as usize).and_then(|c| c.bridged);
         let all = (0..).zip(&self.contours);
-        all.filter_map(move |(id, c)| Some((around(c.completes()?)?, id)))
+        let ordered = self.bridged.iter().flat_map(held::in_order);
+        all.filter_map(move |(id, c)| Some((around(c.completes()?)?, id))).chain(ordered)
     }
 
     /// The open contour that completes an outline.

@@ -10,13 +10,15 @@
 //!    distance from other strips, and saves something. If no strips are in each other's way, no other choice of strips saves more: it is
 //!    a maximum spanning forest, by the algorithm of Kruskal (1956, doi:10.1090/S0002-9939-1956-0078686-7).
 //! 5. **The path** ([`joined`]): once around every tree of parts.
-//! 6. **Cuts through bridges** ([`later`]), if the machine separates the parts itself: across each strip, along the outlines of both parts.
+//! 6. **Cuts through bridges** ([`later`]), if the machine separates the parts itself: across each strip, along the outlines of both parts. If it also
+//!    minds what drops and what tips, they are made in pieces that stay ([`held`]), and strips that no such piece holds are not left.
 //!
 //! What comes after this knows one contour around several parts: leads, kerf, chains, micro-joints, skeleton cuts and all searches
 //! take it as the outline of one piece, which it is.
 //!
 //! [IGEMS, "Bridges"]: https://igems.zendesk.com/hc/en-us/articles/22394892034076-Bridges
 
+mod held;
 mod joined;
 mod later;
 mod price;
@@ -69,11 +71,15 @@ impl Sheet {
         let mut all: Vec<Bridged> = Vec::new();
         for ((root, own), outlines) in (0..).zip(of).zip(outlines).filter(|((_, own), _)| !own.is_empty()) {
             let path = joined::around(&outlines, &own);
+            let strips: Vec<Strip> = own.into_iter().map(|c| c.strip).collect();
+            let tips = held::tips(bridges, machine);
             all.push(Bridged {
                 contour: root,
+                holders: tips.map_or_else(Vec::new, |tips| held::holders(tips, &outlines, &strips)),
                 outlines,
-                strips: own.into_iter().map(|c| c.strip).collect(),
+                strips,
                 within: Vec::new(),
+                cuts: Vec::new(),
             });
             if let Some(contour) = sheet.contours.get_mut(root as usize) {
                 (contour.length, contour.bounds, contour.area) =
@@ -125,6 +131,15 @@ impl Sheet {
         sort_by(&mut candidates, |(saved, c)| {
             [real(-(saved / SAME).round()), c.of[0] as u64, c.of[1] as u64]
         });
+        let tips = held::tips(bridges, machine);
+        let stays = |c: &u32| {
+            let contour = self.contours.get(*c as usize);
+            tips.is_none_or(|tips| contour.is_some_and(|c| held::stays(tips, &c.path)))
+        };
+        if tips.is_some() && bridges.most.is_some() {
+            // Strips to parts that stay come first: others may fill a piece that has none.
+            candidates.sort_by_key(|(_, c)| !c.strip.contours.iter().any(stays));
+        }
         let mut trees = Union::new(self.contours.len());
         let mut parts = vec![1_u32; self.contours.len()];
         let mut strips: Vec<Candidate> = Vec::new();
@@ -142,6 +157,13 @@ impl Sheet {
             trees.join(a, b);
             parts[trees.root(a) as usize] = together;
             strips.push(candidate);
+        }
+        if tips.is_some() {
+            let mut held = vec![false; self.contours.len()];
+            for c in strips.iter().flat_map(|c| c.strip.contours).filter(stays) {
+                held[trees.root(c) as usize] = true;
+            }
+            strips.retain(|c| held[trees.root(c.strip.contours[0]) as usize]);
         }
         strips
     }

@@ -135,5 +135,5 @@ export function asDrawn(state: State): Alternative | null {
     times[2 * k + 1] = at;
   });
   const none = new Float64Array(0);
-  return { total, path: { contours: Uint32Array.from(contours), points, along: new Float64Array(n), until: new Float64Array(n), reversed: new Uint8Array(n), times, leads: none, leadOffsets: new Uint32Array(0), joints: none, jointOffsets: new Uint32Array(0), preCuts: none, pauses: none, ways: new Uint8Array(0), via: none, viaOf: new Uint32Array(0), tips: new Uint32Array(0), waits: none, loops: none, loopOffsets: new Uint32Array(0) } };
+  return { total, path: { contours: Uint32Array.from(contours), points, along: new Float64Array(n), until: new Float64Array(n), reversed: new Uint8Array(n), times, leads: none, leadOffsets: new Uint32Array(0), joints: none, jointOffsets: new Uint32Array(0), preCuts: none, pauses: none, ways: new Uint8Array(0), via: none, viaOf: new Uint32Array(0), tips: new Uint32Array(0), freedBy: new Uint32Array(0), waits: none, loops: none, loopOffsets: new Uint32Array(0) } };
 }

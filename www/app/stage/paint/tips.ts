@@ -1,7 +1,6 @@
 /** Paints the pieces that may have tipped, and the moves that cross them with the head down. */
 
 import type { View } from '../raster-messages.js';
-import { firstStops } from '../shapes.js';
 import { traceChain, type Pen } from '../trace.js';
 import { CHAIN, CROSSES, EDGE, LIFTED, wayTo } from '../legs.js';
 import { strokeAir } from './air.js';
@@ -10,13 +9,14 @@ import { BATCH, type Subject } from './strokes.js';
 /** Fills the pieces that may tip and are free before stop `upto`. */
 export function* paintTips(pen: Pen, view: View, { path, shapes, palette }: Subject, upto: number): Generator<void> {
   if (!path?.tips?.length) return;
-  const first = firstStops(path, shapes.count);
   pen.fillStyle = palette.amber;
   pen.globalAlpha = 0.16;
   pen.beginPath();
   let held = 0;
-  for (const contour of path.tips) {
-    if (contour >= shapes.count || first[contour]! < 0 || first[contour]! >= upto) continue;
+  for (let k = 0; k < path.tips.length; k += 1) {
+    const contour = path.tips[k]!;
+    // A strip between parts has no shape.
+    if (contour >= shapes.count || path.freedBy[k]! >= upto) continue;
     traceChain(pen, view, shapes, contour);
     held += 1;
     if (held % BATCH === 0) {
