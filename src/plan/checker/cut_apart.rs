@@ -37,8 +37,15 @@ struct Nodes {
     of: Vec<Vec<usize>>,
 }
 
-/// The pieces that come free by cuts through bridges and may tip. What is cut through and may not lie still is a violation.
-pub(super) fn pieces(sheet: &Sheet, tips: &Tips, plan: &Plan, found: &mut Vec<Violation>) -> Vec<Apart> {
+/// The pieces that come free by cuts through bridges and may tip. What is cut through and may not lie still is a violation. `joints`: by contour, a
+/// place on each of its micro-joints.
+pub(super) fn pieces(
+    sheet: &Sheet,
+    tips: &Tips,
+    plan: &Plan,
+    joints: &FxHashMap<u32, Vec<DVec2>>,
+    found: &mut Vec<Violation>,
+) -> Vec<Apart> {
     let mut pieces = Vec::new();
     if sheet.bridged.is_empty() {
         return pieces;
@@ -72,7 +79,7 @@ pub(super) fn pieces(sheet: &Sheet, tips: &Tips, plan: &Plan, found: &mut Vec<Vi
                 found.push(Violation::Tipped { step, contour: tie.part, what, at: tie.at });
             }
         }
-        let held = nodes.held(plan, group.contour);
+        let held = nodes.held(joints.get(&group.contour).map_or(&[], Vec::as_slice));
         for (node, ties) in nodes.of.iter().enumerate().filter(|(node, _)| !held.contains(node)) {
             let steps = ties.iter().map(|&t| nodes.ties.get(t)?.broken);
             let free_from = steps.fold(Some(around), |last, step| Some(last?.max(step?)));
@@ -126,16 +133,14 @@ impl Nodes {
         false
     }
 
-    /// The nodes on which the cut around all of them leaves micro-joints.
-    fn held(&self, plan: &Plan, around: u32) -> FxHashSet<usize> {
-        let on = |m: &Move| {
-            let Move::Joint { contour, path, .. } = m else { return None };
-            let middle = path.get(path.len() / 2).filter(|_| *contour == around)?.at(0.5);
-            let off = |path: &Path| path.nearest(middle).map_or(f64::INFINITY, |n| n.1.distance(middle));
+    /// The nodes that micro-joints at these places hold.
+    fn held(&self, joints: &[DVec2]) -> FxHashSet<usize> {
+        let on = |at: &DVec2| {
+            let off = |path: &Path| path.nearest(*at).map_or(f64::INFINITY, |n| n.1.distance(*at));
             let all = self.outlines.iter().map(|o| off(&o.1)).enumerate();
             all.min_by(|a, b| a.1.total_cmp(&b.1)).map(|n| n.0)
         };
-        plan.moves.iter().filter_map(on).collect()
+        joints.iter().filter_map(on).collect()
     }
 }
 

@@ -16,6 +16,7 @@ mod groups;
 mod heat;
 mod joint_room;
 mod joints;
+mod joints_left;
 mod kerf;
 mod kerfs;
 mod lead_room;

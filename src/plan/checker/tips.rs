@@ -5,6 +5,7 @@
 //! cuts through bridges is found in `cut_apart.rs`.
 
 use super::cut_apart;
+use super::joints_left::joints_left;
 use super::nesting::{pairs, winding};
 use super::tip_sizes::{SIZE_SLACK, tips_up};
 use super::violation::Violation;
@@ -58,8 +59,9 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         }
     }
     let Some(tips) = tips else { return };
-    let mut pieces = pieces(sheet, &tips, plan);
-    for apart in cut_apart::pieces(sheet, &tips, plan, found) {
+    let joints = joints_left(sheet, machine, plan);
+    let mut pieces = pieces(sheet, &tips, plan, |c| joints.contains_key(&c));
+    for apart in cut_apart::pieces(sheet, &tips, plan, &joints, found) {
         let surely = tips_up(&tips, &apart.outline, false, -SIZE_SLACK);
         let cut_apart::Apart { contour, outline, free_from } = apart;
         pieces.push(Piece { contour, outline: Cow::Owned(outline), free_from, surely });
@@ -131,20 +133,12 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
 }
 
 /// The pieces that may tip and are cut free by the plan.
-fn pieces<'s>(sheet: &'s Sheet, tips: &Tips, plan: &Plan) -> Vec<Piece<'s>> {
+fn pieces<'s>(sheet: &'s Sheet, tips: &Tips, plan: &Plan, is_held: impl Fn(u32) -> bool) -> Vec<Piece<'s>> {
     let mut last: FxHashMap<u32, usize> = FxHashMap::default();
-    let mut held: FxHashSet<u32> = FxHashSet::default();
     for (step, m) in plan.moves.iter().enumerate() {
-        match m {
-            Move::Cut { contour, with, .. } => {
-                for c in with.iter().chain([contour]) {
-                    last.insert(*c, step);
-                }
-            }
-            Move::Joint { contour, .. } => {
-                held.insert(*contour);
-            }
-            _ => {}
+        let Move::Cut { contour, with, .. } = m else { continue };
+        for c in with.iter().chain([contour]) {
+            last.insert(*c, step);
         }
     }
     // Holes lie inside an odd number of outlines.
@@ -170,7 +164,7 @@ fn pieces<'s>(sheet: &'s Sheet, tips: &Tips, plan: &Plan) -> Vec<Piece<'s>> {
         };
         let others = if known.rest_of.is_some() { shared(sheet, outline, &own) } else { Vec::new() };
         let free_from = own.iter().chain(&others).map(|c| last.get(c).copied()).max().flatten();
-        let Some(free_from) = free_from.filter(|_| cuts && !own.iter().any(|c| held.contains(c))) else {
+        let Some(free_from) = free_from.filter(|_| cuts && !own.iter().any(|c| is_held(*c))) else {
             continue;
         };
         if tips_up(tips, outline, hole, SIZE_SLACK) {

@@ -6,6 +6,8 @@ mod choice;
 mod later;
 mod later_checked;
 mod others;
+mod tipping;
+mod tipping_checked;
 
 use crate::testkit::dialects::read_back;
 use crate::testkit::dxf_text::{Entity, Scene, Similarity};
@@ -30,18 +32,20 @@ fn plain() -> Profile {
     machine("fibre-6kw-thick")
 }
 
+/// Changes fields of an object, at any depth.
+fn merge(into: &mut Value, change: &Value) {
+    match (into, change) {
+        (Value::Object(into), Value::Object(change)) => {
+            for (key, value) in change {
+                merge(into.entry(key.clone()).or_insert(Value::Null), value);
+            }
+        }
+        (into, change) => *into = change.clone(),
+    }
+}
+
 /// The machine with some fields of its JSON changed.
 fn with(machine: &Profile, change: &Value) -> Profile {
-    fn merge(into: &mut Value, change: &Value) {
-        match (into, change) {
-            (Value::Object(into), Value::Object(change)) => {
-                for (key, value) in change {
-                    merge(into.entry(key.clone()).or_insert(Value::Null), value);
-                }
-            }
-            (into, change) => *into = change.clone(),
-        }
-    }
     let mut json = serde_json::to_value(machine).unwrap();
     merge(&mut json, change);
     serde_json::from_value(json).unwrap()

@@ -6,7 +6,7 @@ mod checker;
 mod fly;
 mod pieces;
 mod replay;
-mod search;
+pub(crate) mod search;
 mod shared;
 
 use crate::testkit::sheets::machine;

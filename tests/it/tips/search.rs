@@ -12,15 +12,26 @@ use kerfway::tipping::Piece;
 
 /// The seconds of the best order and entries at nodes, over every order, with the entries of each order by dynamic programming.
 pub(super) fn every_order(problem: &Problem) -> f64 {
+    every_order_of(problem, |_, _| true)
+}
+
+/// The same over the orders in which each item may come after those before it.
+pub(crate) fn every_order_of(problem: &Problem, may: impl Fn(&[u32], u32) -> bool) -> f64 {
     let items: Vec<u32> =
         (0..).zip(&problem.items).filter(|(_, i)| !i.nodes.is_empty()).map(|(id, _)| id).collect();
     let mut least = f64::INFINITY;
     let mut order = Vec::new();
-    permute(problem, &items, &mut order, &mut |order| least = least.min(entries(problem, order)));
+    permute(problem, &items, &may, &mut order, &mut |order| least = least.min(entries(problem, order)));
     least
 }
 
-fn permute(problem: &Problem, items: &[u32], order: &mut Vec<u32>, each: &mut impl FnMut(&[u32])) {
+fn permute(
+    problem: &Problem,
+    items: &[u32],
+    may: &impl Fn(&[u32], u32) -> bool,
+    order: &mut Vec<u32>,
+    each: &mut impl FnMut(&[u32]),
+) {
     if order.len() == items.len() {
         return each(order);
     }
@@ -30,11 +41,11 @@ fn permute(problem: &Problem, items: &[u32], order: &mut Vec<u32>, each: &mut im
             let other: &Item = &problem.items[o as usize];
             !order.contains(&o) && (other.before == Some(next) || other.rank < known.rank)
         };
-        if order.contains(&next) || items.iter().any(waits) {
+        if order.contains(&next) || items.iter().any(waits) || !may(order, next) {
             continue;
         }
         order.push(next);
-        permute(problem, items, order, each);
+        permute(problem, items, may, order, each);
         order.pop();
     }
 }
