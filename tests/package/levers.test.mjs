@@ -147,6 +147,25 @@ describe('bridges', () => {
     assert.deepEqual([check.passed, check.problems], [true, []]);
   });
 
+  it('are cut later in a piece that stays, and parts tip when their own are cut', async (t) => {
+    const planner = await createPlanner();
+    t.after(() => planner.close());
+    const thick = planner.machines.find((m) => m.name === 'fibre-6kw-thick');
+    const tips = { drops_below: 10, tips_below: 40, nozzle_radius: 4, margin: 1 };
+    const machine = { ...thick, pierce_time: 3, z_speed: 100, levers: { lift: { height: 10 }, tips, bridges: { width: 3, reach: 10, cut_later: true } } };
+    // Small squares alone have nothing that holds them while they are cut.
+    await planner.load(row, 'row.dxf');
+    assert.equal((await planner.plan({ machine, seed: 1, moves: 20_000 }).done).progress.summary.bridges, undefined);
+    await planner.load(dxf(square(10, 10, 60), square(78, 30, 20), square(106, 30, 20)), 'plate.dxf');
+    const { progress: { path, summary } } = await planner.plan({ machine, seed: 1, moves: 20_000 }).done;
+    assert.deepEqual([summary.bridges, summary.contours, summary.parts], [2, 3, 3]);
+    assert.deepEqual([...path.tips], [1, 2]);
+    // The far square comes off first, with the second cut, and the other one with the fourth.
+    assert.deepEqual([path.contours[0], ...path.freedBy], [0, 3, 1]);
+    const check = await planner.check();
+    assert.deepEqual([check.passed, check.problems], [true, []]);
+  });
+
   it('are options of the command line', async (t) => {
     const at = folder(t);
     const [file, json] = [join(at, 'row.dxf'), join(at, 'row.json')];
@@ -160,6 +179,9 @@ describe('bridges', () => {
     const apart = await plan('--bridges', '10', '--cut-bridges');
     assert.equal(apart.code, 0, apart.stderr);
     assert.deepEqual(JSON.parse(readFileSync(json, 'utf8')).machine.levers.bridges, { width: 2, reach: 10, clearance: 1, cut_later: true });
+    const tipping = await plan('--bridges', '10', '--cut-bridges', '--tips', 'ignore', '--tips-below', '15', '--drops-below', '5');
+    assert.equal(tipping.code, 0, tipping.stderr);
+    assert.equal(JSON.parse(readFileSync(json, 'utf8')).machine.levers.tips.tips_below, 15);
     const alone = await plan('--cut-bridges');
     assert.deepEqual([alone.code, /--cut-bridges: the machine does not connect parts/.test(alone.stderr)], [2, true], alone.stderr);
     const without = await plan('--bridge-width', '3');
