@@ -82,7 +82,8 @@ pub(super) fn pieces(
         let held = nodes.held(joints.get(&group.contour).map_or(&[], Vec::as_slice));
         for (node, ties) in nodes.of.iter().enumerate().filter(|(node, _)| !held.contains(node)) {
             let steps = ties.iter().map(|&t| nodes.ties.get(t)?.broken);
-            let free_from = steps.fold(Some(around), |last, step| Some(last?.max(step?)));
+            let free_from =
+                steps.collect::<Option<Vec<usize>>>().map(|steps| steps.into_iter().fold(around, usize::max));
             if let Some((free_from, (contour, outline))) = free_from.zip(nodes.outlines.get(node))
                 && tips_up(tips, outline, false, SIZE_SLACK)
             {

@@ -217,7 +217,7 @@ fn small_nest(seed: u64) -> Vec<Entity> {
     for k in 0..squares {
         let own = size(&mut dice);
         drawing.push(rectangle(at, own));
-        at += if (seed / 3 + k) % 2 == 0 {
+        at += if (seed / 3 + k).is_multiple_of(2) {
             p(0.0, own.y + dice.between(5.0, 9.0))
         } else {
             p(own.x + dice.between(5.0, 9.0), 0.0)
@@ -238,7 +238,7 @@ fn up_to_six_contours_are_as_good_as_every_order_entry_and_direction() {
         let machine = tipping([0.05, 0.4, 3.0][usize::try_from(seed % 3).unwrap()]);
         // What is far away comes last.
         let drawing = small_nest(seed);
-        let last = drawing.len() as u32 - 1;
+        let last = u32::try_from(drawing.len()).unwrap() - 1;
         let load = LoadOptions { last: vec![last], ..LoadOptions::default() };
         let job = started(&drawing, machine.clone(), &load, 200_000);
         let plan = job.plan().unwrap();
