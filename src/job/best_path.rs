@@ -9,7 +9,6 @@ use crate::plan::{Move, Plan, Way};
 use crate::problem::{Item, Span, Stroke};
 use crate::sheet::Sheet;
 use crate::solve::{Begun, begun};
-use crate::tipping::Piece;
 
 /// The path of the head.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -96,7 +95,7 @@ impl BestPath {
             path.loops = loops(&plan);
         }
         if let Some(zones) = problem.zones.as_ref().filter(|_| PLANS_ALL_LEVERS) {
-            path.add_tips(zones.pieces());
+            path.add_tips(zones.pieces().iter().map(|p| (p.drawn, p.cut_by.as_slice())));
         }
         if problem.zones.is_some() || plan.summary.chains > 0 {
             path.add_ways(&plan);
@@ -106,8 +105,8 @@ impl BestPath {
         (path, plan)
     }
 
-    /// Adds the pieces that may tip, each with the last of the stops that free it.
-    fn add_tips(&mut self, pieces: &[Piece]) {
+    /// Adds the pieces that may tip, each with the last of the stops that free it. `pieces`: the contour of each, and the contours that free it.
+    fn add_tips<'p>(&mut self, pieces: impl Iterator<Item = (u32, &'p [u32])>) {
         let mut last: Vec<Option<u32>> = Vec::new();
         for (stop, &contour) in (0..).zip(&self.contours) {
             let contour = contour as usize;
@@ -116,10 +115,10 @@ impl BestPath {
             }
             last[contour] = Some(stop);
         }
-        for piece in pieces {
-            let stops = piece.cut_by.iter().filter_map(|&c| last.get(c as usize).copied().flatten());
+        for (contour, cut_by) in pieces {
+            let stops = cut_by.iter().filter_map(|&c| last.get(c as usize).copied().flatten());
             if let Some(stop) = stops.max() {
-                self.tips.push(piece.drawn);
+                self.tips.push(contour);
                 self.freed_by.push(stop);
             }
         }
