@@ -149,6 +149,22 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
   });
 }
 
+test('parts that come off their bridges may tip, and are marked', async (t) => {
+  const plate = dxf(square(10, 10, 60), square(78, 30, 20), square(106, 30, 20), square(160, 10, 12));
+  const page = await openPlanned(t, 'fibre-6kw-thick', 'plate.dxf', plate, { size: SIZES.desktop, theme: 'light' });
+  const machine = await machineSection(page, SIZES.desktop);
+  await replanned(page, () => machine.getByLabel('Pierce time').fill('3'));
+  await replanned(page, () => machine.getByLabel('Connect parts by bridges').check());
+  await replanned(page, () => machine.getByLabel('Cut them later').check());
+  await replanned(page, () => machine.getByLabel('Mind pieces that tip').check());
+  await replanned(page, () => machine.getByLabel('Pieces drop below').fill('5'));
+  assert.equal((await plan(page)).summary.bridges, undefined, 'no part stays');
+  await replanned(page, () => machine.getByLabel('Pieces tip below').fill('40'));
+  await shot(page, 'bridges-tips-desktop-light');
+  const { summary, machine: { levers } } = await plan(page);
+  assert.deepEqual([summary.bridges, summary.crossings, levers.bridges.cut_later, levers.tips.risky_moves], [2, undefined, true, 'avoid']);
+});
+
 const WEDGES = dxf(...[20, 70, 120].map((x) => polygon([[x, 20], [x + 30, 20], [x + 15, 46]])));
 
 for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {

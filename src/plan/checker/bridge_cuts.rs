@@ -107,19 +107,25 @@ fn completes(
     let outside = |p: DVec2| beside == 0.0 || winding(outline, p) == 0.0;
     let along = PLACES.map(|f| shape.at(f));
     let runs = along.iter().all(|&p| (off(outline, p) - beside).abs() <= SAME && outside(p));
+    let place = |p: DVec2| outline.nearest(p).map_or(0.0, |n| n.0);
+    let (begin, whole) = (place(from), outline.length());
+    let length = (place(to) - begin).rem_euclid(whole);
+    let covers = || {
+        PLACES.iter().all(|f| {
+            let at = outline.at((begin + f * length) % whole);
+            at.is_some_and(|p| near(shape, p) <= beside + SAME)
+        })
+    };
+    // The way around all parts is long, and looked at last.
+    if !runs || !covers() {
+        return false;
+    }
     let joins = [shape.start(), shape.end()].iter().all(|&p| off(&around.path, p) <= SAME);
     // Nothing of it is cut a second time: just inside its ends it has left the cut around the parts.
     let inside = (LEAVES / shape.length()).min(0.25);
     let leaves = [inside, 1.0 - inside].iter().all(|&f| off(&around.path, shape.at(f)) > SAME);
     let through = leaves && winding(&around.path, shape.at(0.5)) != 0.0;
-    let place = |p: DVec2| outline.nearest(p).map_or(0.0, |n| n.0);
-    let (begin, whole) = (place(from), outline.length());
-    let length = (place(to) - begin).rem_euclid(whole);
-    let covers = PLACES.iter().all(|f| {
-        let at = outline.at((begin + f * length) % whole);
-        at.is_some_and(|p| near(shape, p) <= beside + SAME)
-    });
-    runs && joins && through && covers
+    joins && through
 }
 
 fn near(shape: &Segment, p: DVec2) -> f64 {
