@@ -153,6 +153,7 @@ test('parts that come off their bridges may tip, and are marked', async (t) => {
   const plate = dxf(square(10, 10, 60), square(78, 30, 20), square(106, 30, 20), square(160, 10, 12));
   const page = await openPlanned(t, 'fibre-6kw-thick', 'plate.dxf', plate, { size: SIZES.desktop, theme: 'light' });
   const machine = await machineSection(page, SIZES.desktop);
+  await machine.getByText('Advanced settings', { exact: true }).click();
   await replanned(page, () => machine.getByLabel('Pierce time').fill('3'));
   await replanned(page, () => machine.getByLabel('Connect parts by bridges').check());
   await replanned(page, () => machine.getByLabel('Cut them later').check());
