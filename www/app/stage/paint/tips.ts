@@ -7,8 +7,9 @@ import { strokeAir } from './air.js';
 import { BATCH, type Subject } from './strokes.js';
 
 /** Fills the pieces that may tip and are free before stop `upto`. */
-export function* paintTips(pen: Pen, view: View, { path, shapes, palette }: Subject, upto: number): Generator<void> {
+export function* paintTips(pen: Pen, view: View, { path, shapes: beam, drawn, palette }: Subject, upto: number): Generator<void> {
   if (!path?.tips?.length) return;
+  const shapes = drawn ?? beam;
   pen.fillStyle = palette.amber;
   pen.globalAlpha = 0.16;
   pen.beginPath();
