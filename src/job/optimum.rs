@@ -44,7 +44,7 @@ impl Optimum {
         self.more
     }
 
-    /// The certificate of the bound by walks, if it proves more than `above`, s. It does not show that a path is optimal.
+    /// The certificate of the bound by walks or by all orders, if it proves more than `above`, s.
     pub(super) fn certificate(&self, above: f64) -> Option<WalkCertificate> {
         self.bound.certificate(self.running.borrow_owner(), above)
     }

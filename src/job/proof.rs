@@ -133,8 +133,7 @@ struct Drawing {
     sha256: String,
 }
 
-/// Works on the bound of a job and writes its certificate. A job of few contours is proven optimal where that is possible, which no
-/// certificate shows.
+/// Works on the bound of a job and writes its certificate. A job of few contours is proven optimal where that is possible.
 pub struct Proof {
     file: File,
     problem: Problem,

@@ -8,7 +8,7 @@ use kerfway::machine::{Profile, preset};
 use sha2::{Digest, Sha256};
 
 /// Circles of several sizes in a grid, as many as there are places.
-fn grid(columns: u32, rows: u32) -> Vec<u8> {
+pub(crate) fn grid(columns: u32, rows: u32) -> Vec<u8> {
     let circle = |(x, y): (u32, u32)| {
         format!(
             "0\nCIRCLE\n8\n0\n10\n{}\n20\n{}\n40\n{}\n",
@@ -220,9 +220,9 @@ fn a_certificate_by_flows_is_verified() {
 #[test]
 fn a_certificate_by_walks_is_verified() {
     let drawing = grid(4, 3);
-    for (machine, work) in [("length", 20_000_000), ("co2-100w", 5_000_000)] {
+    for (machine, work) in [("length", 3_000_000), ("co2-100w", 3_000_000)] {
         let (text, seconds) = written(&drawing, &on(machine), work);
-        assert!(text.contains("\"company\":") && fits_the_schema(&text));
+        assert!(text.contains("\"company\":") && !text.contains("all_orders") && fits_the_schema(&text));
         let proven = verified(&text, &drawing, None).unwrap();
         assert!(proven <= seconds && proven > 0.99 * seconds, "{proven} of {seconds}");
         let value: serde_json::Value = serde_json::from_str(&text).unwrap();

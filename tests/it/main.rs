@@ -53,6 +53,7 @@ mod moving_pierce;
 mod mutation_dxf;
 mod mutation_hostile;
 mod oracle_ezdxf;
+mod order_certificate;
 mod order_options;
 mod output_dxf;
 mod output_far;

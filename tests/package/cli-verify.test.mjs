@@ -45,8 +45,21 @@ it('the same seed and work give the same certificate, which fits its schema', as
   const schema = JSON.parse(readFileSync(join(ROOT, 'www', 'sdk', 'certificate.schema.json'), 'utf8'));
   const valid = new Ajv2020({ strict: false }).compile(schema);
   assert.ok(valid(JSON.parse(text)), JSON.stringify(valid.errors));
-  // Of few contours walks prove more than shares.
-  assert.deepEqual(Object.keys(JSON.parse(text).travel), ['unit', 'knots', 'near', 'company', 'charges', 'cuts', 'bound']);
+  // Of few contours walks prove more than flows, and all orders more than walks.
+  const fields = Object.keys(JSON.parse(text).travel).filter((field) => field !== 'all_orders');
+  assert.deepEqual(fields, ['unit', 'knots', 'near', 'company', 'charges', 'cuts', 'bound']);
+});
+
+it('where the path is proven optimal, the certificate proves all of it', async (t) => {
+  const at = workshop(t);
+  await certified(at, 'optimal.json', '--bound-work', '4000');
+  const { summary } = JSON.parse(readFileSync(at('plate.json'), 'utf8'));
+  assert.ok(summary.gap <= 1e-6, `a gap of ${summary.gap}`);
+  assert.equal(JSON.parse(readFileSync(at('optimal.json'), 'utf8')).travel.all_orders, true);
+  const { code, stderr } = await kerfway('verify', at('optimal.json'), at('plate.dxf'), '--json', at('verified.json'));
+  assert.equal(code, 0, stderr);
+  const { seconds } = JSON.parse(readFileSync(at('verified.json'), 'utf8'));
+  assert.ok(seconds <= summary.total_time && seconds >= summary.total_time * (1 - 1e-6), `${seconds} of ${summary.total_time}`);
 });
 
 it('a certificate by shares of an earlier version is verified', async (t) => {

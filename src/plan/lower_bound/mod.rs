@@ -196,8 +196,7 @@ impl LowerBound {
         }
     }
 
-    /// The certificate of the best bound by walks, if it proves more than `above`, s. The bound itself may be higher, because no certificate shows that all
-    /// orders were looked at. Its check takes as long as some looks at all walks.
+    /// The certificate of the best bound by walks or by all orders, if it proves more than `above`, s. Its check takes as long as some looks at all walks.
     #[cfg(feature = "research")]
     pub fn certificate(&self, problem: &Problem, above: f64) -> Option<WalkCertificate> {
         let record = match &self.method {

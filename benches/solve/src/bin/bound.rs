@@ -4,7 +4,7 @@
 //! return home. `--machine NAME`: that of a drawing, in place of `length`, `--ends`: its closed contours are
 //! entered and left only where their elements end. `--search MOVES`: the value known is that of a search of so many
 //! moves. Seconds are those of the processor. At the end the certificate of the bound is checked, with a line of what it proves
-//! and how long its check takes; that all orders were looked at has none.
+//! and how long its check takes.
 
 #[path = "../source.rs"]
 #[allow(dead_code, reason = "the search's driver uses more of it")]

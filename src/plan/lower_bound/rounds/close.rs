@@ -3,6 +3,8 @@
 use super::super::charges::HAS_CUTS;
 use super::super::net::Item;
 use super::super::orders::{Left, Orders};
+#[cfg(feature = "research")]
+use super::Record;
 use super::looks::LOOKS_AT_ORDERS;
 use super::{MOST_NUMBERS, Strong, Task};
 
@@ -64,11 +66,11 @@ impl Strong {
             None => self.orders = Some(orders),
             Some(Left::TooMany) => self.give_up(upper),
             Some(Left::Nothing) => {
-                self.best = self.best.max(goal - self.guard(&self.bundle.best, goal));
+                self.no_less_than(goal);
                 self.task = Task::Nothing;
             }
             Some(Left::Orders(better)) => {
-                self.best = self.best.max(better.seconds - self.guard(&self.bundle.best, better.seconds));
+                self.no_less_than(better.seconds);
                 self.walks = better.walks.into_iter().map(|walk| (1.0, walk)).collect();
                 (self.looked.has_begun, self.looked.until) = (true, u64::MAX);
                 if self.best < upper * (1.0 - self.exact()) && self.refine_orders(upper, &better.in_use) {
@@ -79,6 +81,18 @@ impl Strong {
             }
         }
         work
+    }
+
+    /// No order takes less than this many seconds of travel, but for rounding.
+    fn no_less_than(&mut self, seconds: f64) {
+        self.looked.add_knots(&self.ground.items);
+        let value = seconds - self.guard(&self.bundle.best, seconds);
+        #[cfg(feature = "research")]
+        if value > self.best {
+            let record = Record::new(value, &self.ground, &self.bundle.best);
+            self.record = Some(Box::new(record.of_all_orders(&self.looked.knots, self.record.take())));
+        }
+        self.best = self.best.max(value);
     }
 
     /// Goes on without a look at all orders.

@@ -1,10 +1,12 @@
 //! What the rounds keep of looks at all orders.
 
+use super::super::net::Item;
+
 /// The core wasm does not look at all orders, which the worker of a proof does (`job::Proof`).
 pub(super) const LOOKS_AT_ORDERS: bool = cfg!(feature = "research");
 
 /// What is known of looks at all orders.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Looks {
     /// A look has come to its end: from then on only pieces are halved.
     pub(super) has_begun: bool,
@@ -14,4 +16,18 @@ pub(super) struct Looks {
     pub(super) is_last: bool,
     /// The look in progress ends at this much work.
     pub(super) until: u64,
+    /// The knots of each item in the looks so far, also those of pieces that were dropped since.
+    pub(super) knots: Vec<Vec<f64>>,
+}
+
+impl Looks {
+    /// Adds the knots of the items of a look that has ended.
+    pub(super) fn add_knots(&mut self, items: &[Item]) {
+        self.knots.resize(items.len(), Vec::new());
+        for (knots, item) in self.knots.iter_mut().zip(items) {
+            knots.extend_from_slice(&item.along);
+            knots.sort_unstable_by(f64::total_cmp);
+            knots.dedup();
+        }
+    }
 }

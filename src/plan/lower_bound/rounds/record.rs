@@ -17,6 +17,10 @@ pub(in super::super) struct Record {
     near: Vec<Vec<usize>>,
     company: Vec<Vec<usize>>,
     charges: Charges,
+    /// If the value is not that of walks but of all orders: the knots of all looks at them, also of pieces that were dropped.
+    looks: Option<Vec<Vec<f64>>>,
+    /// And the walks before.
+    before: Option<Box<Self>>,
 }
 
 impl Record {
@@ -38,12 +42,29 @@ impl Record {
             near: near.into_iter().map(sorted).collect(),
             company: ground.company.iter().cloned().map(sorted).collect(),
             charges: charges.clone(),
+            looks: None,
+            before: None,
         }
     }
 
-    /// The certificate; `None` if its numbers do not fit each other, which a fault of this program would be, or if it would take too long to check.
+    /// The same for a value that is not that of walks, but of all orders. `looks`: the knots of all looks at them; `before`: the record so far.
+    pub(super) fn of_all_orders(self, looks: &[Vec<f64>], before: Option<Box<Self>>) -> Self {
+        let of_walks =
+            before.and_then(|record| if record.looks.is_none() { Some(record) } else { record.before });
+        Self { looks: Some(looks.to_vec()), before: of_walks, ..self }
+    }
+
+    /// The certificate: that of walks if all orders would take too long to check. `None` if its numbers do not fit each other, which a fault of this
+    /// program would be.
     pub(in super::super) fn certificate(&self, problem: &Problem) -> Option<WalkCertificate> {
-        let items = divided(problem, &self.knots).ok()?;
+        let Some(looks) = &self.looks else { return self.proven(problem, &self.knots, false) };
+        let of_orders = self.proven(problem, looks, true);
+        of_orders.or_else(|| self.before.as_ref()?.certificate(problem))
+    }
+
+    /// The certificate with these knots and the bound that they prove.
+    fn proven(&self, problem: &Problem, knots: &[Vec<f64>], all_orders: bool) -> Option<WalkCertificate> {
+        let items = divided(problem, knots).ok()?;
         let (power, _) = unit(&items, &Prices::new(problem), problem);
         let (charges, prices) = self.charges.values().split_at(self.charges.items());
         let cut = |(cut, &price): (&Vec<bool>, &f64)| PricedCut {
@@ -54,12 +75,13 @@ impl Record {
         };
         let mut certificate = WalkCertificate {
             unit: power,
-            knots: self.knots.clone(),
+            knots: knots.to_vec(),
             near: self.near.clone(),
             company: self.company.clone(),
             charges: charges.iter().map(|&charge| units(charge, power)).collect(),
             cuts: self.charges.cuts().iter().zip(prices).map(cut).filter(|c| c.price > 0).collect(),
-            bound: 0,
+            all_orders,
+            bound: units(self.value, power),
         };
         certificate.bound = i64::try_from(certificate.adds_up_to(problem).ok()?).ok()?;
         Some(certificate)

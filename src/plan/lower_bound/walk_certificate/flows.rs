@@ -9,7 +9,7 @@
 
 use super::super::certificate::{CertificateFault, below, stated};
 use super::super::priced_cuts::PricedCut;
-use super::shortest::{Walks, lower};
+use super::shortest::{Most, Walks, lower};
 use super::{LARGEST, applies, read};
 use crate::problem::Problem;
 use serde::{Deserialize, Serialize};
@@ -63,7 +63,7 @@ impl FlowCertificate {
         let ground = read(&self.knots, [&self.near, &self.company], self.unit, problem)?;
         let states = ground.states()?;
         let walks = ground.walks(&states);
-        walks.are_few(self.cuts.len(), 1)?;
+        walks.are_few(&Most::OF_WALKS, self.cuts.len(), 1)?;
         let home = std::iter::once(0);
         let fits = |(item, list): (usize, &Vec<i64>)| {
             let small = list.iter().all(|p| (-LARGEST..=LARGEST).contains(p));

@@ -9,13 +9,25 @@ use super::super::prices::Prices;
 use super::states::{States, Step};
 use std::collections::BTreeMap;
 
-/// Most numbers in a row of values, and in all tables of legs: 32 and 128 MB.
+/// Most numbers in a row of values: 32 MB.
 const MOST_WIDTH: usize = 4_000_000;
-const MOST_LEGS: usize = 16_000_000;
-/// Most sums: about twenty seconds in wasm.
-const MOST_WORK: u128 = 20_000_000_000;
 /// No walk comes here. Values of walks are less than half of it, whatever the numbers of the certificate are.
 pub(super) const NONE: i64 = 1 << 62;
+
+/// How much a check may take.
+pub(super) struct Most {
+    /// Numbers in all tables of legs, 8 bytes each.
+    legs: u128,
+    /// Sums.
+    work: u128,
+}
+
+impl Most {
+    /// 128 MB, and about twenty seconds in wasm.
+    pub(super) const OF_WALKS: Self = Self { legs: 16_000_000, work: 20_000_000_000 };
+    /// 384 MB, and about a minute: Qu and Du's 43 contours, entered anywhere, have 40 million legs, because the certificate has every knot that the search ever had.
+    pub(super) const OF_ORDERS: Self = Self { legs: 48_000_000, work: 100_000_000_000 };
+}
 
 /// The walks of a certificate.
 pub(super) struct Walks<'c> {
@@ -38,6 +50,15 @@ pub(super) struct Legs {
     pub(super) far: Vec<Vec<(usize, i64)>>,
 }
 
+/// What walks pay: their legs, and for each knot of each item a stop there.
+pub(super) struct Costs {
+    pub(super) legs: Legs,
+    pub(super) pays: Vec<Vec<i64>>,
+    /// Where the knots of each state begin in a row of values, and its length.
+    pub(super) at: Vec<usize>,
+    pub(super) width: usize,
+}
+
 impl Legs {
     /// The table of legs, and whether its rows are those of the item left.
     pub(super) fn between(&self, from: usize, to: usize) -> (&[i64], bool) {
@@ -49,14 +70,14 @@ impl Legs {
 
 impl Walks<'_> {
     /// Whether the check ends soon: counts numbers before any of them is made. `cuts`: how many there are; `rows`: how often all legs are looked at.
-    pub(super) fn are_few(&self, cuts: usize, rows: usize) -> Result<(), CertificateFault> {
+    pub(super) fn are_few(&self, most: &Most, cuts: usize, rows: usize) -> Result<(), CertificateFault> {
         let knots = |item: usize| self.items[item].knots;
         let width: usize = self.states.item.iter().map(|&item| knots(item)).sum();
         if width > MOST_WIDTH {
             return Err(CertificateFault::TooMuch("knots in states of walks"));
         }
         let numbers: u128 = self.pairs().map(|[a, b]| knots(a) as u128 * knots(b) as u128).sum();
-        if numbers > MOST_LEGS as u128 {
+        if numbers > most.legs {
             return Err(CertificateFault::TooMuch("legs between knots"));
         }
         let step = |s: &Step| {
@@ -64,7 +85,7 @@ impl Walks<'_> {
         };
         let row = self.states.steps.iter().map(step).sum::<u128>() + width as u128;
         let work = row * (rows as u128) + (numbers + 1) * (cuts as u128);
-        if work > MOST_WORK { Err(CertificateFault::TooMuch("sums of legs")) } else { Ok(()) }
+        if work > most.work { Err(CertificateFault::TooMuch("sums of legs")) } else { Ok(()) }
     }
 
     /// The pairs of items with tables.
@@ -97,13 +118,13 @@ impl Walks<'_> {
         Some(Legs { tables, directed: self.prices.directed(), far })
     }
 
-    /// What the shortest walk costs with charges and prices, in units.
-    pub(super) fn shortest(
+    /// What walks pay with charges and prices.
+    pub(super) fn costs(
         &self,
         unit: (i32, f64),
         charges: &[i64],
         cuts: &Cuts,
-    ) -> Result<i64, CertificateFault> {
+    ) -> Result<Costs, CertificateFault> {
         let (legs, pays) =
             self.legs(unit, cuts).zip(of_stops(charges, cuts)).ok_or(CertificateFault::Shape("cuts"))?;
         let mut at = Vec::with_capacity(self.states.item.len());
@@ -112,27 +133,41 @@ impl Walks<'_> {
             at.push(width);
             width += self.items[item].knots;
         }
-        let mut row = vec![NONE; width];
-        for item in self.first..self.items.len() {
-            let start = at[self.states.fresh[item]];
-            let homes = vec![0; self.items[0].knots];
-            lower(&mut row[start..start + self.items[item].knots], &homes, legs.between(0, item));
-        }
-        self.end_row(&mut row, &at, &pays, 1);
-        for stop in 2..=self.items.len() - self.first {
-            let mut next = vec![NONE; width];
-            self.advance(&row, &mut next, &at, &legs);
-            self.end_row(&mut next, &at, &pays, stop);
-            row = next;
+        Ok(Costs { legs, pays, at, width })
+    }
+
+    /// What the shortest walk costs, in units.
+    pub(super) fn shortest(&self, costs: &Costs) -> Result<i64, CertificateFault> {
+        let mut row = Vec::new();
+        for stop in 1..=self.items.len() - self.first {
+            row = self.row(&row, stop, costs);
         }
         let end = self.first - 1;
         let mut ends = vec![NONE; self.items[end].knots];
-        for (&item, &at) in self.states.item.iter().zip(&at) {
+        for (&item, &at) in self.states.item.iter().zip(&costs.at) {
             let left = self.left(item, &row[at..at + self.items[item].knots]);
-            lower(&mut ends, &left, legs.between(item, end));
+            lower(&mut ends, &left, costs.legs.between(item, end));
         }
         let least = ends.into_iter().min().filter(|&least| least < NONE / 2);
         least.ok_or(CertificateFault::Problem)
+    }
+
+    /// For each knot of each state the least that walks of so many stops cost up to there, the last stop included. `before`: the same with one stop
+    /// less; it does not matter at the first stop.
+    pub(super) fn row(&self, before: &[i64], stop: usize, costs: &Costs) -> Vec<i64> {
+        let Costs { legs, pays, at, width } = costs;
+        let mut row = vec![NONE; *width];
+        if stop == 1 {
+            for item in self.first..self.items.len() {
+                let start = at[self.states.fresh[item]];
+                let homes = vec![0; self.items[0].knots];
+                lower(&mut row[start..start + self.items[item].knots], &homes, legs.between(0, item));
+            }
+        } else {
+            self.advance(before, &mut row, at, legs);
+        }
+        self.end_row(&mut row, at, pays, stop);
+        row
     }
 
     /// Adds a stop to all walks.
