@@ -10,7 +10,7 @@ use crate::drawing::TextDecoder;
 use crate::machine::{Profile, Start};
 use crate::output::{json_text, sha256};
 use crate::plan::{
-    Certificate, CertificateFault, FlowBound, FlowCertificate, ShareBound, StopBound, StopCertificate,
+    Certificate, Certified, FlowBound, FlowCertificate, ShareBound, StopBound, StopCertificate,
     WalkCertificate, with_paid,
 };
 use crate::problem::{Item, Problem};
@@ -60,28 +60,18 @@ enum Travel {
 }
 
 impl Travel {
-    /// The stated bound of travel and its unit, as a power of two.
-    fn stated(&self) -> (i64, i32) {
+    fn certified(&self) -> &dyn Certified {
         match self {
-            Self::Flows(certificate) => (certificate.bound, certificate.unit),
-            Self::Shares(certificate) => (certificate.bound, certificate.unit),
-            Self::Walks(certificate) => (certificate.bound, certificate.unit),
-            Self::Stops(certificate) => (certificate.bound, certificate.unit),
-        }
-    }
-
-    fn adds_up_to(&self, problem: &Problem) -> Result<i128, CertificateFault> {
-        match self {
-            Self::Flows(certificate) => certificate.adds_up_to(problem),
-            Self::Shares(certificate) => certificate.adds_up_to(problem),
-            Self::Walks(certificate) => certificate.adds_up_to(problem),
-            Self::Stops(certificate) => certificate.adds_up_to(problem),
+            Self::Flows(certificate) => certificate,
+            Self::Shares(certificate) => certificate,
+            Self::Walks(certificate) => certificate,
+            Self::Stops(certificate) => certificate,
         }
     }
 
     /// The least seconds of the whole job, rounded down: a proven travel in units, and what every plan pays.
     fn whole_job(&self, proven: i128, problem: &Problem) -> f64 {
-        with_paid(self.stated().1, proven, problem.items.iter().map(Item::least))
+        with_paid(self.certified().stated().1, proven, problem.items.iter().map(Item::least))
     }
 }
 
@@ -209,7 +199,7 @@ impl Proof {
         let above = self.bound.as_ref()?.value();
         let walks = self.optimum.as_ref().and_then(|optimum| optimum.certificate(above));
         let travel = walks.map(Travel::Walks).or_else(|| self.bound.as_ref()?.travel())?;
-        let seconds = travel.whole_job(travel.stated().0.into(), &self.problem);
+        let seconds = travel.whole_job(travel.certified().stated().0.into(), &self.problem);
         let file = File { seconds, travel, ..self.file.clone() };
         Some(json_text(&File { sha256: file.seal(), ..file }))
     }
@@ -272,9 +262,9 @@ pub fn verify(
     let settings = (file.material.clone(), file.place, file.start);
     let problem = problem(drawing, &file.drawing.name, &file.reading, &file.machine, settings)
         .map_err(|e| format!("The certificate's drawing cannot be planned as it says: {e}"))?;
-    let proven = file.travel.adds_up_to(&problem).map_err(|e| e.to_string())?;
+    let proven = file.travel.certified().adds_up_to(&problem).map_err(|e| e.to_string())?;
     let seconds = file.travel.whole_job(proven, &problem);
-    let stated = i128::from(file.travel.stated().0);
+    let stated = i128::from(file.travel.certified().stated().0);
     // Nothing that is stated may be above what is proven: neither the travel nor the whole.
     if stated > proven || file.seconds > seconds {
         return Err(format!(

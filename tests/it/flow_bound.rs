@@ -5,7 +5,7 @@ use crate::lower_bound::{entered_anywhere, scattered};
 use crate::testkit::sheets::{Dice, machine, nested_sheet};
 use crate::walk_certificate::{cut, knots_of, of_every_kind, some};
 use kerfway::job::problem_of;
-use kerfway::plan::{CertificateFault, FlowBound, FlowCertificate};
+use kerfway::plan::{CertificateFault, Certified, FlowBound, FlowCertificate};
 use kerfway::problem::Problem;
 use kerfway::solve;
 

@@ -6,7 +6,7 @@ use crate::testkit::sheets::{Builder, Dice, circle, machine, nested_sheet, p, re
 use kerfway::geometry::DVec2;
 use kerfway::job::problem_of;
 use kerfway::machine::Profile;
-use kerfway::plan::{LowerBound, ShareBound};
+use kerfway::plan::{Certified, LowerBound, ShareBound};
 use kerfway::problem::{Item, Node, NodeId, Problem, Table};
 use kerfway::solve;
 

@@ -7,7 +7,7 @@ use crate::testkit::sheets::{Dice, machine, nested_sheet};
 use crate::walk_certificate::{of_every_kind, some};
 use kerfway::drawing::TextDecoder;
 use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions, Proof, problem_of, verify};
-use kerfway::plan::{CertificateFault, LowerBound, WalkCertificate};
+use kerfway::plan::{CertificateFault, Certified, LowerBound, WalkCertificate};
 use kerfway::problem::Problem;
 use kerfway::solve;
 use std::time::Instant;

@@ -8,7 +8,7 @@ use crate::testkit::sheets::{Dice, machine, nested_sheet, p};
 use kerfway::geometry::DVec2;
 use kerfway::job::problem_of;
 use kerfway::machine::{AirTime, Profile};
-use kerfway::plan::{self, CertificateFault, StopBound};
+use kerfway::plan::{self, CertificateFault, Certified, StopBound};
 use kerfway::problem::{Item, Node, NodeId, Problem};
 use kerfway::solve;
 use std::cmp::Reverse;

@@ -4,7 +4,7 @@
 use crate::lower_bound::{entered_anywhere, scattered};
 use crate::testkit::sheets::{Dice, machine, nested_sheet};
 use kerfway::job::problem_of;
-use kerfway::plan::{CertificateFault, LowerBound, Part, PricedCut, WalkCertificate};
+use kerfway::plan::{CertificateFault, Certified, LowerBound, Part, PricedCut, WalkCertificate};
 use kerfway::problem::{Problem, Table};
 use kerfway::solve;
 use std::time::Instant;

@@ -135,8 +135,10 @@ def depth_of(plan, contour):
 
 def judge(name, look):
     """Looks at each plan in target/NAME and writes what was found, with the hash of its moves, to fixtures/NAME.json."""
-    found = {}
-    for file in sorted((ROOT.parent / "target" / name).glob("*.json")):
+    found, plans = {}, sorted((ROOT.parent / "target" / name).glob("*.json"))
+    if not plans:
+        raise SystemExit(f"No plans are in target/{name}. The command that writes them stands at the top of tests/oracle/{name}.py.")
+    for file in plans:
         text = file.read_bytes()
         found[file.stem] = {"moves": moves_hash(text), **look(json.loads(text))}
         print(file.stem, {k: v for k, v in found[file.stem].items() if k != "moves"}, flush=True)

@@ -3,7 +3,7 @@
 pub mod source;
 pub mod trace;
 
-use kerfway::plan::{FlowBound, LowerBound};
+use kerfway::plan::{Certified, FlowBound, LowerBound};
 use kerfway::solve::{self, Search, Status};
 use source::Source;
 use std::process::ExitCode;

@@ -75,6 +75,37 @@ pub enum CertificateFault {
     },
 }
 
+/// What all certificates of a bound of travel are.
+pub trait Certified {
+    /// The bound that it states, in units, and the unit: 2 to this power, in seconds (or in the unit of the table of costs).
+    fn stated(&self) -> (i64, i32);
+
+    /// The bound that its numbers prove, in units.
+    ///
+    /// # Errors
+    /// What does not fit the problem, a leg or a stop that costs less than it pays, or what would take too long to check.
+    fn adds_up_to(&self, problem: &Problem) -> Result<i128, CertificateFault>;
+
+    /// The bound that it states, s.
+    fn seconds(&self) -> f64 {
+        let (bound, unit) = self.stated();
+        below(unit, bound.into())
+    }
+
+    /// Adds the numbers up again, in whole numbers, and returns the bound of travel of every plan of the problem, s.
+    ///
+    /// # Errors
+    /// What does not fit, or which bound the numbers prove instead.
+    fn check(&self, problem: &Problem) -> Result<f64, CertificateFault> {
+        let (proven, stated) = (self.adds_up_to(problem)?, self.stated().0);
+        if proven == i128::from(stated) {
+            Ok(self.seconds())
+        } else {
+            Err(CertificateFault::Bound { stated, proven })
+        }
+    }
+}
+
 /// Whether the bound by shares applies: legs cost the same both ways, no item is left unfinished, there are no pierce groups,
 /// and every item has two different neighbours in every tour.
 pub(super) fn applies(problem: &Problem) -> bool {
@@ -123,15 +154,6 @@ pub(super) fn below(power: i32, whole: i128) -> f64 {
     libm::ldexp((whole - 1) as f64, power)
 }
 
-/// The seconds of the bound that a certificate states, if its numbers prove that one.
-pub(super) fn stated(power: i32, stated: i64, proven: i128) -> Result<f64, CertificateFault> {
-    if proven == i128::from(stated) {
-        Ok(below(power, proven))
-    } else {
-        Err(CertificateFault::Bound { stated, proven })
-    }
-}
-
 /// A proven travel in units, and the seconds that every plan pays besides: their sum, s, rounded down.
 pub fn with_paid(power: i32, proven: i128, paid: impl Iterator<Item = f64>) -> f64 {
     #[expect(clippy::cast_possible_truncation, reason = "whole")]
@@ -139,25 +161,12 @@ pub fn with_paid(power: i32, proven: i128, paid: impl Iterator<Item = f64>) -> f
     below(power, proven + paid.map(whole).sum::<i128>())
 }
 
-impl Certificate {
-    /// The bound of travel, s.
-    pub fn seconds(&self) -> f64 {
-        below(self.unit, self.bound.into())
+impl Certified for Certificate {
+    fn stated(&self) -> (i64, i32) {
+        (self.bound, self.unit)
     }
 
-    /// Adds the numbers up again, in whole numbers, and returns the bound of travel of every tour of the problem, s.
-    ///
-    /// # Errors
-    /// What does not fit, or which bound the numbers prove instead.
-    pub fn check(&self, problem: &Problem) -> Result<f64, CertificateFault> {
-        stated(self.unit, self.bound, self.adds_up_to(problem)?)
-    }
-
-    /// The bound that the numbers prove, in units.
-    ///
-    /// # Errors
-    /// What does not fit the problem.
-    pub fn adds_up_to(&self, problem: &Problem) -> Result<i128, CertificateFault> {
+    fn adds_up_to(&self, problem: &Problem) -> Result<i128, CertificateFault> {
         if !applies(problem) {
             return Err(CertificateFault::Problem);
         }

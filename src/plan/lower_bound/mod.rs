@@ -100,7 +100,7 @@ mod walks;
 
 use crate::problem::{Item, Problem};
 #[cfg(feature = "research")]
-pub use certificate::{Certificate, CertificateFault, SharedLegs, with_paid};
+pub use certificate::{Certificate, CertificateFault, Certified, SharedLegs, with_paid};
 use cheap::Cheap;
 #[cfg(feature = "research")]
 pub use flows::FlowBound;

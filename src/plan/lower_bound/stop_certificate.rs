@@ -1,7 +1,7 @@
 //! Certificates of the bound by stops (`postman`), and their check in whole numbers. As with [`super::Certificate`], how the numbers were
 //! found does not matter; the check shares the division of contours, the seconds between pieces and the stops of items with the search.
 
-use super::certificate::{CertificateFault, below, stated, unit, units};
+use super::certificate::{CertificateFault, Certified, unit, units};
 use super::net::{Item, homes};
 use super::pairs::{Pairs, box_seconds};
 use super::postman::{Member, Stop, Stops, applies, members};
@@ -50,25 +50,12 @@ pub struct StopCertificate {
     pub bound: i64,
 }
 
-impl StopCertificate {
-    /// The bound of travel, s.
-    pub fn seconds(&self) -> f64 {
-        below(self.unit, self.bound.into())
+impl Certified for StopCertificate {
+    fn stated(&self) -> (i64, i32) {
+        (self.bound, self.unit)
     }
 
-    /// Adds the numbers up again, in whole numbers, and returns the bound of travel of every plan of the problem, s.
-    ///
-    /// # Errors
-    /// What does not fit, or which bound the numbers prove instead.
-    pub fn check(&self, problem: &Problem) -> Result<f64, CertificateFault> {
-        stated(self.unit, self.bound, self.adds_up_to(problem)?)
-    }
-
-    /// The bound that the numbers prove, in units.
-    ///
-    /// # Errors
-    /// What does not fit the problem, or a leg or a stop that costs less than it pays.
-    pub fn adds_up_to(&self, problem: &Problem) -> Result<i128, CertificateFault> {
+    fn adds_up_to(&self, problem: &Problem) -> Result<i128, CertificateFault> {
         if !applies(problem) {
             return Err(CertificateFault::Problem);
         }
@@ -98,7 +85,9 @@ impl StopCertificate {
         }
         Ok(sum)
     }
+}
 
+impl StopCertificate {
     /// Whether no leg pays more than it takes.
     fn legs_are_paid(
         &self,

@@ -11,7 +11,7 @@
 mod source;
 
 use cpu_time::ThreadTime;
-use kerfway::plan::{FlowBound, LowerBound, ShareBound, StopBound};
+use kerfway::plan::{Certified, FlowBound, LowerBound, ShareBound, StopBound};
 use kerfway::solve;
 use source::Source;
 

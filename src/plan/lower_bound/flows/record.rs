@@ -1,6 +1,6 @@
 //! The best potentials so far, for their certificate.
 
-use super::super::certificate::{divided, unit, units};
+use super::super::certificate::{Certified, divided, unit, units};
 use super::super::priced_cuts::PricedCut;
 use super::super::prices::Prices;
 use super::super::walk_certificate::FlowCertificate;

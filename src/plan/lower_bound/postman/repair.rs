@@ -1,6 +1,6 @@
 //! Feasible numbers near those of the smooth problem, their value, and the certificate of it.
 
-use super::super::certificate::{unit, units};
+use super::super::certificate::{Certified, unit, units};
 use super::super::net::Item;
 use super::super::pairs::box_seconds;
 use super::super::priced_cuts::Part;

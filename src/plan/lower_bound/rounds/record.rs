@@ -1,6 +1,6 @@
 //! What the best walks so far were looked for with, for their certificate (`walk_certificate`).
 
-use super::super::certificate::{divided, unit, units};
+use super::super::certificate::{Certified, divided, unit, units};
 use super::super::charges::Charges;
 use super::super::priced_cuts::PricedCut;
 use super::super::prices::Prices;

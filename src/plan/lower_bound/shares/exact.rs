@@ -1,6 +1,6 @@
 //! The value of the shares as they are, with the real minima; and the certificate of it.
 
-use super::super::certificate::{Certificate, SharedLegs, unit, units};
+use super::super::certificate::{Certificate, Certified, SharedLegs, unit, units};
 use super::super::pairs::box_seconds;
 use super::super::priced_cuts::{Part, PricedCut};
 use super::cut::Cut;

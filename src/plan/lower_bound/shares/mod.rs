@@ -34,7 +34,7 @@ mod exact;
 mod refine;
 mod soft;
 
-use super::certificate::{Certificate, applies};
+use super::certificate::{Certificate, Certified, applies};
 use super::net::{Item, bases, homes, items};
 use super::pairs::Pairs;
 use super::prices::Prices;

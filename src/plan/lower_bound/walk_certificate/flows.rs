@@ -7,7 +7,7 @@
 //!
 //! A state that no tour comes to may have any potential.
 
-use super::super::certificate::{CertificateFault, below, stated};
+use super::super::certificate::{CertificateFault, Certified};
 use super::super::priced_cuts::PricedCut;
 use super::shortest::{Most, Walks, lower};
 use super::{LARGEST, applies, read};
@@ -39,24 +39,24 @@ impl FlowCertificate {
     /// The potential of states that no tour comes to: their legs to others are too expensive to matter.
     pub(in super::super) const NOWHERE: i64 = LARGEST;
 
-    /// The bound of travel, s.
-    pub fn seconds(&self) -> f64 {
-        below(self.unit, self.bound.into())
+    /// The item of each state but home, and what is barred there in ascending order.
+    pub(in super::super) fn states(
+        &self,
+        problem: &Problem,
+    ) -> Result<Vec<(usize, Vec<usize>)>, CertificateFault> {
+        let ground = read(&self.knots, [&self.near, &self.company], self.unit, problem)?;
+        let states = ground.states()?;
+        let barred = |s: usize| states.barred_in(s, &self.company).collect();
+        Ok((0..states.item.len()).map(|s| (states.item[s], barred(s))).collect())
+    }
+}
+
+impl Certified for FlowCertificate {
+    fn stated(&self) -> (i64, i32) {
+        (self.bound, self.unit)
     }
 
-    /// Looks at all legs again, in whole numbers, and returns the bound of travel of every tour of the problem, s.
-    ///
-    /// # Errors
-    /// What does not fit, or which bound the numbers prove instead.
-    pub fn check(&self, problem: &Problem) -> Result<f64, CertificateFault> {
-        stated(self.unit, self.bound, self.adds_up_to(problem)?)
-    }
-
-    /// The bound that the numbers prove, in units.
-    ///
-    /// # Errors
-    /// What does not fit the problem, or would take too long to check.
-    pub fn adds_up_to(&self, problem: &Problem) -> Result<i128, CertificateFault> {
+    fn adds_up_to(&self, problem: &Problem) -> Result<i128, CertificateFault> {
         if !applies(problem) {
             return Err(CertificateFault::Problem);
         }
@@ -76,17 +76,6 @@ impl FlowCertificate {
         let cuts = ground.cuts(&self.cuts)?;
         let legs = walks.cheapest_legs((self.unit, ground.guard), &self.potentials, &cuts)?;
         Ok(legs.iter().sum::<i128>() + cuts.back)
-    }
-
-    /// The item of each state but home, and what is barred there in ascending order.
-    pub(in super::super) fn states(
-        &self,
-        problem: &Problem,
-    ) -> Result<Vec<(usize, Vec<usize>)>, CertificateFault> {
-        let ground = read(&self.knots, [&self.near, &self.company], self.unit, problem)?;
-        let states = ground.states()?;
-        let barred = |s: usize| states.barred_in(s, &self.company).collect();
-        Ok((0..states.item.len()).map(|s| (states.item[s], barred(s))).collect())
     }
 }
 

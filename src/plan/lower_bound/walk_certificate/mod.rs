@@ -26,7 +26,7 @@ mod orders;
 mod shortest;
 mod states;
 
-use super::certificate::{CertificateFault, below, divided, stated, unit};
+use super::certificate::{CertificateFault, Certified, divided, unit};
 use super::net::{Item, homes};
 use super::order::Order;
 use super::priced_cuts::{Cuts, PricedCut};
@@ -71,25 +71,12 @@ fn is_false(value: &bool) -> bool {
     !value
 }
 
-impl WalkCertificate {
-    /// The bound of travel, s.
-    pub fn seconds(&self) -> f64 {
-        below(self.unit, self.bound.into())
+impl Certified for WalkCertificate {
+    fn stated(&self) -> (i64, i32) {
+        (self.bound, self.unit)
     }
 
-    /// Finds the shortest walk again, in whole numbers, and returns the bound of travel of every tour of the problem, s.
-    ///
-    /// # Errors
-    /// What does not fit, or which bound the numbers prove instead.
-    pub fn check(&self, problem: &Problem) -> Result<f64, CertificateFault> {
-        stated(self.unit, self.bound, self.adds_up_to(problem)?)
-    }
-
-    /// The bound that the numbers prove, in units.
-    ///
-    /// # Errors
-    /// What does not fit the problem, or would take too long to check.
-    pub fn adds_up_to(&self, problem: &Problem) -> Result<i128, CertificateFault> {
+    fn adds_up_to(&self, problem: &Problem) -> Result<i128, CertificateFault> {
         if !applies(problem) {
             return Err(CertificateFault::Problem);
         }
@@ -112,7 +99,9 @@ impl WalkCertificate {
         };
         Ok(i128::from(least) - beside)
     }
+}
 
+impl WalkCertificate {
     /// Whether the charges are those of the items.
     fn fits(&self, count: usize, first: usize) -> Result<(), CertificateFault> {
         let charge = |(item, charge): (usize, &i64)| {
