@@ -111,6 +111,7 @@ const WARM: &[Field] = &[
     Field::optional("via", LENGTHS),
     Field::optional("viaOf", IDS),
     Field::optional("tips", IDS),
+    Field::optional("freedBy", IDS),
     Field::optional("waits", LENGTHS),
     Field::optional("loops", LENGTHS),
     Field::optional("loopOffsets", IDS),

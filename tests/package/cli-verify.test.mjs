@@ -52,7 +52,7 @@ it('the same seed and work give the same certificate, which fits its schema', as
 
 it('where the path is proven optimal, the certificate proves all of it', async (t) => {
   const at = workshop(t);
-  await certified(at, 'optimal.json', '--bound-work', '4000');
+  await certified(at, 'optimal.json', '--machine', 'length', '--bound-work', '4000');
   const { summary } = JSON.parse(readFileSync(at('plate.json'), 'utf8'));
   assert.ok(summary.gap <= 1e-6, `a gap of ${summary.gap}`);
   assert.equal(JSON.parse(readFileSync(at('optimal.json'), 'utf8')).travel.all_orders, true);

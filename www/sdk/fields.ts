@@ -2655,6 +2655,22 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
             {
               "kind": {
                 "list": {
+                  "whole": {
+                    "least": 0.0,
+                    "most": 4294967295.0,
+                    "or_zero": false,
+                    "unit": "",
+                    "why": "contours are counted from 0"
+                  }
+                }
+              },
+              "name": "freedBy",
+              "nullable": false,
+              "required": false
+            },
+            {
+              "kind": {
+                "list": {
                   "number": {
                     "least": -1000000000.0,
                     "most": 1000000000.0,
