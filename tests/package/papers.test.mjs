@@ -72,7 +72,8 @@ describe('methods from papers', () => {
       await plan.started;
       plan.stop();
       const { reason, progress } = await plan.done;
-      assert.equal(reason, 'stopped', name);
+      // PFr builds one path in a tenth of a second, and may have done so before it is stopped.
+      assert.ok(reason === 'stopped' || (name === 'pfr' && reason === 'exhausted'), `${name}: ${reason}`);
       assert.ok(progress.path.contours.length >= 500, name);
     }
   });
