@@ -14,9 +14,19 @@ pub(super) fn tips_up(tips: &Tips, outline: &Path, hole: bool, slack: f64) -> bo
         return false;
     }
     let [across, along] = extents(tips, outline);
-    let drops = tips.drops_below.or(tips.slats.map(|s| s.pitch)).unwrap_or(50.0);
-    let falls = below(across, drops, -slack) && below(along, drops, -slack);
-    below(across, tips.tips_below, slack) && !falls
+    below(across, tips.tips_below, slack) && !drops(tips, [across, along], -slack)
+}
+
+/// Whether what an outline bounds lies on several slats, so that it neither drops nor tips.
+pub(super) fn stays(tips: &Tips, outline: &Path, slack: f64) -> bool {
+    let [across, along] = extents(tips, outline);
+    !below(across, tips.tips_below, -slack) && !drops(tips, [across, along], -slack)
+}
+
+/// Whether a piece of these extents falls between the slats.
+fn drops(tips: &Tips, extents: [f64; 2], slack: f64) -> bool {
+    let limit = tips.drops_below.or(tips.slats.map(|s| s.pitch)).unwrap_or(50.0);
+    extents.into_iter().all(|extent| below(extent, limit, slack))
 }
 
 /// How far an outline reaches in a direction of length 1, mm: to an end of an element, or to the place of an arc that looks
@@ -32,14 +42,6 @@ fn reach(outline: &Path, direction: DVec2) -> f64 {
         }
     };
     outline.segments.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
-}
-
-/// Whether what an outline bounds lies on several slats, so that it neither drops nor tips.
-pub(super) fn stays(tips: &Tips, outline: &Path, slack: f64) -> bool {
-    let [across, along] = extents(tips, outline);
-    let drops = tips.drops_below.or(tips.slats.map(|s| s.pitch)).unwrap_or(50.0);
-    let falls = below(across, drops, -slack) && below(along, drops, -slack);
-    !falls && !below(across, tips.tips_below, -slack)
 }
 
 /// The extents of an outline across and along the slats; of its smaller and its larger one, where these are not known.

@@ -114,7 +114,8 @@ impl FlowBound {
         self.ground.items.iter().map(|i| (0..i.knots).map(|v| [v; 2]).collect()).collect()
     }
 
-    /// Keeps the potentials of states with so many members, and goes on with the tables of pairs from `next` on.
+    /// Keeps the potentials, and goes on with the tables of pairs from `next` on. `members`: the size of each company when the states of these potentials were
+    /// made; `around`: see [`Before::around`].
     fn prepare(&mut self, members: Vec<usize>, around: Vec<Vec<[usize; 2]>>, next: usize) {
         self.before = Some(Before {
             net: std::mem::take(&mut self.net),

@@ -60,15 +60,10 @@ pub struct WalkCertificate {
     /// The cuts with prices.
     pub cuts: Vec<PricedCut>,
     /// Whether the bound follows only if all orders are looked at that may take less.
-    #[serde(default, skip_serializing_if = "is_false")]
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub all_orders: bool,
     /// The bound that follows, in units.
     pub bound: i64,
-}
-
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over a reference")]
-fn is_false(value: &bool) -> bool {
-    !value
 }
 
 impl Certified for WalkCertificate {

@@ -43,10 +43,8 @@ struct Orders<'c> {
     states: Vec<Vec<(usize, u128)>>,
     /// For each item those that come later in every tour.
     later: Vec<u128>,
-    /// For each item those that it may be left for, with the least that such a leg costs.
-    next: Vec<Vec<(usize, i64)>>,
-    /// The legs priced by boxes, by the item come to and the item left.
-    far: BTreeMap<[usize; 2], i64>,
+    /// For each item those from where a tour may come, with the least that such a leg costs.
+    before: Vec<Vec<(usize, i64)>>,
 }
 
 impl Walks<'_> {
@@ -91,9 +89,12 @@ impl<'c> Orders<'c> {
         }
         let must_follow =
             |item: usize| bits(&mut (first..items).filter(|&other| walks.order.forbids(other, item, false)));
-        let far_of = |(to, list): (usize, &'c Vec<(usize, i64)>)| {
-            list.iter().map(move |&(from, gap)| ([to, from], gap))
+        // Legs that are priced by boxes have no tables.
+        let near = |to: usize| {
+            let least = move |from: usize| costs.legs.between(from, to).0.iter().min();
+            (first..items).filter_map(move |from| Some((from, *least(from)?)))
         };
+        let before = |(to, far): (usize, &Vec<(usize, i64)>)| far.iter().copied().chain(near(to)).collect();
         let mut orders = Self {
             walks,
             costs,
@@ -102,15 +103,8 @@ impl<'c> Orders<'c> {
             least: Vec::new(),
             states,
             later: (0..items).map(|item| if item < first { 0 } else { must_follow(item) }).collect(),
-            next: vec![Vec::new(); items],
-            far: costs.legs.far.iter().enumerate().flat_map(far_of).collect(),
+            before: costs.legs.far.iter().enumerate().map(before).collect(),
         };
-        for (from, to) in
-            (first..items).flat_map(|from| (first..items).map(move |to| (from, to))).filter(|p| p.0 != p.1)
-        {
-            let least = costs.legs.between(from, to).0.iter().min().or_else(|| orders.far.get(&[to, from]));
-            orders.next[to].extend(least.map(|&least| (from, least)));
-        }
         for stop in 1..=items - first {
             let row = walks.row(orders.rows.last().map_or(&[], Vec::as_slice), stop, costs);
             let mut least = vec![NONE; items];
@@ -153,7 +147,7 @@ impl<'c> Orders<'c> {
             let arrives: Vec<i64> =
                 rest.iter().zip(&self.costs.pays[to]).map(|(rest, pay)| rest + pay).collect();
             let low = arrives.iter().copied().min().unwrap_or(NONE);
-            for &(from, least) in &self.next[to] {
+            for &(from, least) in &self.before[to] {
                 let bit = 1 << (from - first);
                 let follows = set & bit == 0 && self.later[from] & !set == 0;
                 if !follows || self.least[stop - 1][from] + least + low >= self.limit {
@@ -163,12 +157,11 @@ impl<'c> Orders<'c> {
                 let at = *found.at.entry((set | bit, from)).or_insert(found.rest.len());
                 found.rest.resize(found.rest.len().max(at + knots), NONE);
                 let rest = &mut found.rest[at..at + knots];
-                match self.far.get(&[to, from]) {
-                    Some(gap) => rest.iter_mut().for_each(|r| *r = (gap + low).min(*r)),
-                    None => {
-                        let (table, rows_left) = self.costs.legs.between(from, to);
-                        lower(rest, &arrives, (table, !rows_left));
-                    }
+                let (table, rows_left) = self.costs.legs.between(from, to);
+                if table.is_empty() {
+                    rest.iter_mut().for_each(|r| *r = (least + low).min(*r));
+                } else {
+                    lower(rest, &arrives, (table, !rows_left));
                 }
                 *work += (knots * arrives.len()) as u64;
             }

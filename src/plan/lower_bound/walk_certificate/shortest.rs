@@ -152,8 +152,8 @@ impl Walks<'_> {
         least.ok_or(CertificateFault::Problem)
     }
 
-    /// For each knot of each state the least that walks of so many stops cost up to there, the last stop included. `before`: the same with one stop
-    /// less; it does not matter at the first stop.
+    /// For each knot of each state, the least cost of a walk that ends there with its stop number `stop`, including that stop. `before`: the row of the stop
+    /// before, which the first stop does not need.
     pub(super) fn row(&self, before: &[i64], stop: usize, costs: &Costs) -> Vec<i64> {
         let Costs { legs, pays, at, width } = costs;
         let mut row = vec![NONE; *width];
