@@ -186,6 +186,37 @@ describe('the same seed and moves', () => {
   });
 });
 
+describe('a proof', () => {
+  before(() => planner.load(bytes(KEYBOARD), 'keyboard.dxf'));
+
+  /** Begins a search and a proof, and ends the proof in one way or the other after its first bound. */
+  async function ended(how) {
+    const plan = planner.plan(LONG);
+    await plan.started;
+    const bounds = [];
+    const proof = planner.prove({ seconds: 60 }, (seconds) => {
+      bounds.push(seconds);
+      proof[how]();
+    });
+    const done = await proof.done;
+    plan.stop();
+    await plan.done;
+    return { done, first: bounds[0], last: bounds.at(-1) };
+  }
+
+  it('that is stopped has a certificate of what is proven', async () => {
+    const { done, first } = await ended('stop');
+    assert.ok(done.seconds >= first && first > 0);
+    assert.equal(JSON.parse(done.certificate).schema, 'kerfway.certificate/1');
+  });
+
+  it('that is closed ends with its last bound, without a certificate', async () => {
+    const { done, last } = await ended('close');
+    assert.deepEqual(done, { seconds: last, certificate: null, hindrance: null });
+    assert.ok(last > 0);
+  });
+});
+
 describe('output', () => {
   before(async () => {
     await planner.load(PLATE, 'plate.dxf', PLATE_OPTIONS);

@@ -10,8 +10,10 @@ import type { WasmModule } from './wasm-module.js';
 export interface ProofHandle {
   /** Resolves when the proof ends for any reason; rejects with one sentence when the drawing cannot be planned. */
   readonly done: Promise<Proof>;
-  /** Ends the proof; what is proven is kept. */
+  /** Ends the proof; what is proven is kept, and its certificate is made, which may take some time. */
   stop(): void;
+  /** Ends the proof at once, without a certificate. Bounds that were reported stay. */
+  close(): void;
 }
 
 export class Prover implements ProofHandle {
@@ -38,7 +40,6 @@ export class Prover implements ProofHandle {
     this.connection.post({ type: 'stop' });
   }
 
-  /** Ends the proof at once, because its job is gone. */
   close(): void {
     this.connection.close();
     this.settle.resolve({ seconds: this.proven, certificate: null, hindrance: null });

@@ -27,7 +27,7 @@ export class Planning {
   private readonly latest = new Latest();
   private run: PlanHandle | null = null;
   /** The work on a stronger bound beside the search. */
-  private prover: { stop(): void } | null = null;
+  private prover: { close(): void } | null = null;
   private timer = 0;
   /** The plan that the current search goes on from. */
   private before: KeptPlan | null = null;
@@ -134,7 +134,7 @@ export class Planning {
   }
 
   private stopProof(): void {
-    this.prover?.stop();
+    this.prover?.close();
     this.prover = null;
   }
 
