@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { changedFrom, openPage, phase, serious, shot, SIZES, still } from './page-support.mjs';
+import { changedFrom, openPage, phase, serious, shot, SIZES, still, tap } from './page-support.mjs';
 
 test('everything can be done by keyboard', async (t) => {
   const { page } = await openPage(t);
@@ -140,7 +140,7 @@ test('a phone shows the whole page without scrolling sideways', async (t) => {
   assert.deepEqual(await wide(), [390, 390, 390]);
   const stop = await page.getByRole('button', { name: 'Stop' }).boundingBox();
   assert.ok(stop.height >= 44 && stop.y + stop.height <= 844, 'stop is in reach');
-  await page.getByRole('button', { name: 'Drawing, machine, plan, result' }).tap();
+  await tap(page.getByRole('button', { name: 'Drawing, machine, plan, result' }));
   await page.evaluate(() => document.querySelectorAll('details').forEach((d) => (d.open = true)));
   assert.equal(await page.getByRole('heading', { name: 'Result' }).isVisible(), true);
   assert.deepEqual(await wide(), [390, 390, 390]);
@@ -151,7 +151,7 @@ test('a phone shows the whole page without scrolling sideways', async (t) => {
 test('two fingers zoom the sheet, one moves it', async (t) => {
   const { page } = await openPage(t, { size: SIZES.phone, touch: true });
   await phase(page, 'planning');
-  await page.getByRole('button', { name: 'Stop' }).tap();
+  await tap(page.getByRole('button', { name: 'Stop' }));
   await phase(page, 'done');
   const fingers = await page.context().newCDPSession(page);
   const touch = (type, ...points) => fingers.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });

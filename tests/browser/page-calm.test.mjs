@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { changedFrom, drop, grid, openPage, phase, planned, sample, shot, SIZES, still } from './page-support.mjs';
+import { changedFrom, drop, grid, openPage, phase, planned, sample, shot, SIZES, still, tap } from './page-support.mjs';
 
 test('the frame of the page is visible before its script runs', async (t) => {
   const { page, url } = await openPage(t);
@@ -96,7 +96,7 @@ test('on a phone the bottom sheet is dragged to other heights and closed by drag
   await drag(-480);
   await near(0);
   // A tap still opens it.
-  await page.locator('.sheet-toggle').tap();
+  await tap(page.locator('.sheet-toggle'));
   await page.waitForFunction(() => document.body.classList.contains('sheet-open'));
 });
 
@@ -114,7 +114,7 @@ test('on a phone every target is at least 44 pixels high and wide', async (t) =>
   await page.keyboard.press('t');
   assert.deepEqual(await small(), [], 'with the table');
   await page.keyboard.press('t');
-  await page.locator('.sheet-toggle').tap();
+  await tap(page.locator('.sheet-toggle'));
   await page.evaluate(() => document.querySelectorAll('.section, .section details').forEach((d) => (d.open = true)));
   assert.deepEqual([...new Set(await small())], [], 'with the panel');
 });

@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { download, drop, grid, openPage, phase, planned, replanned, shot, SIZES, storedWith } from './page-support.mjs';
+import { download, drop, grid, openPage, phase, planned, replanned, shot, SIZES, storedWith, tap } from './page-support.mjs';
 
 const CLI = join(dirname(dirname(dirname(fileURLToPath(import.meta.url)))), 'dist', 'sdk', 'cli.js');
 
@@ -163,6 +163,6 @@ test('on a phone a refused file leaves room for the drawing, and can be closed',
   await drop(page, 'a long name of a letter to somebody.pdf', Buffer.from('%PDF-1.7'));
   await page.locator('.failure').waitFor();
   await shot(page, 'refused-phone');
-  await page.locator('.failure').getByRole('button', { name: 'Close' }).tap();
+  await tap(page.locator('.failure').getByRole('button', { name: 'Close' }));
   await page.locator('.failure').waitFor({ state: 'hidden' });
 });

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { download, drop, openPage, phase, planned, shot, SIZES } from './page-support.mjs';
+import { download, drop, openPage, phase, planned, shot, SIZES, tap } from './page-support.mjs';
 
 const card = (page) => page.getByRole('region', { name: 'Selected contour' });
 const pins = (page) => page.evaluate(() => [...document.querySelectorAll('.pins')].map((p) => p.firstChild.textContent));
@@ -168,16 +168,16 @@ test('on a phone several parts are selected by touch, and their list is dragged 
     for (let k = 1; k <= 6; k += 1) await touch('touchMove', [[x0 + ((x1 - x0) * k) / 6, y0 + ((y1 - y0) * k) / 6]]);
     await touch('touchEnd', []);
   };
-  await page.getByRole('button', { name: /^Select several/ }).tap();
+  await tap(page.getByRole('button', { name: /^Select several/ }));
   const stage = await page.locator('#canvas').boundingBox();
   await drag([stage.x + 4, stage.y + 4], [stage.x + stage.width - 4, stage.y + stage.height - 70]);
   await page.waitForFunction(() => /^\d+ (parts|contours)/.test(document.querySelector('.contour').textContent));
   await shot(page, 'parts-phone');
-  await page.getByRole('button', { name: /^Select several/ }).tap();
-  await card(page).getByRole('button', { name: 'Cut first' }).tap();
+  await tap(page.getByRole('button', { name: /^Select several/ }));
+  await tap(card(page).getByRole('button', { name: 'Cut first' }));
   await phase(page, 'done');
-  await card(page).getByRole('button', { name: 'Close' }).tap();
-  await page.locator('.sheet-toggle').tap();
+  await tap(card(page).getByRole('button', { name: 'Close' }));
+  await tap(page.locator('.sheet-toggle'));
   await openDrawing(page);
   await page.locator('.sortable .grip').first().evaluate((grip) => grip.scrollIntoView({ block: 'center' }));
   const names = () => page.locator('.sortable .name').allTextContents();

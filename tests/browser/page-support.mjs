@@ -29,7 +29,7 @@ export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch
   });
   const context = await browser.newContext({ viewport: size, colorScheme: theme, hasTouch: touch, acceptDownloads: true });
   context.setDefaultTimeout(PATIENCE);
-  await context.addInitScript(countPlans);
+  await context.addInitScript(countPlansAndClicks);
   const page = await context.newPage();
   const requests = [];
   const errors = [];
@@ -47,9 +47,14 @@ export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch
   return { page, requests, sent, url: server.url };
 }
 
-/** Runs in the page: counts how often planning has begun, because a short plan may begin and end between two looks at the page. */
-const countPlans = () => {
+/**
+ * Runs in the page: counts how often planning has begun, because a short plan may begin and end between two looks at the page, and the clicks, because
+ * the click of a tap follows after the finger.
+ */
+const countPlansAndClicks = () => {
   window.plansBegun = 0;
+  window.clicks = 0;
+  addEventListener('click', () => (window.clicks += 1), { capture: true });
   addEventListener('DOMContentLoaded', () => {
     let before;
     new MutationObserver(() => {
@@ -67,6 +72,25 @@ function browserPath() {
   if (isAbsolute(found)) return found;
   return process.env.PATH.split(delimiter).map((folder) => join(folder, found)).find(existsSync);
 }
+
+/** Frames of the page within which the click of a tap follows. */
+const CLICK = 30;
+
+/** Taps a control until it is clicked: on a busy machine the finger may rest so long that it does not tap. */
+export async function tap(locator) {
+  const page = locator.page();
+  const before = await page.evaluate(() => window.clicks);
+  await until(page, 'a tap clicks', async () => {
+    await locator.tap();
+    return page.evaluate(clicksWithin, [before, CLICK]);
+  });
+}
+
+/** Runs in the page: whether more was clicked than before, after at most so many frames. */
+const clicksWithin = ([before, frames]) => new Promise((resolve) => {
+  const look = (left) => (window.clicks > before || left === 0 ? resolve(window.clicks > before) : requestAnimationFrame(() => look(left - 1)));
+  look(frames);
+});
 
 /** Waits until the page is in one of these states. */
 export function phase(page, ...names) {

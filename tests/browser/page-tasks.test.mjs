@@ -6,7 +6,7 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { changedFrom, download, openPage, phase, planned, SIZES } from './page-support.mjs';
+import { changedFrom, download, openPage, phase, planned, SIZES, tap } from './page-support.mjs';
 
 /** Nine plates with two holes each, an open line, and a note on a layer of its own. The middle of the sheet is inside the plate in the middle. */
 function plates() {
@@ -45,7 +45,7 @@ class Person {
 
   async tap(locator) {
     this.pressed += 1;
-    await locator.tap();
+    await tap(locator);
   }
 
   /** Moves the focus to a control, by Tab. */
