@@ -77,6 +77,22 @@ describe('a worker that dies', () => {
     assert.equal(sha256, before.sha256);
   });
 
+  it('while it proves: the last bound is kept, and the plan goes on', async (t) => {
+    const control = await fragile(t);
+    await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');
+    const plan = await underWay(control.planner);
+    let last = 0;
+    const proof = control.planner.prove({}, (seconds) => {
+      last = seconds;
+      void control.workers[1].terminate();
+    });
+    assert.deepEqual(await proof.done, { seconds: last, certificate: null, hindrance: 'The planner ended unexpectedly.' });
+    assert.ok(last > 0);
+    plan.stop();
+    assert.ok((await plan.done).progress.summary.lower_bound >= last);
+    assert.deepEqual([control.workers.length, control.replaced], [2, []]);
+  });
+
   it('several times: a new one starts each time', async (t) => {
     const control = await fragile(t);
     await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');

@@ -145,7 +145,7 @@ export interface Proof {
   seconds: number;
   /** A certificate of it (`kerfway.certificate/1`), which `kerfway verify` checks; null if there is none. */
   certificate: string | null;
-  /** Why nothing can be proven for this job, in a sentence; null if it can. */
+  /** Why nothing can be proven for this job, or why the proof ended early, in a sentence; null otherwise. */
   hindrance: string | null;
 }
 

@@ -8,7 +8,10 @@ import type { WasmModule } from './wasm-module.js';
 
 /** A running proof. */
 export interface ProofHandle {
-  /** Resolves when the proof ends for any reason; rejects with one sentence when the drawing cannot be planned. */
+  /**
+   * Resolves when the proof ends for any reason, also when its worker dies: what was reported is proven. Rejects with one sentence when the drawing cannot
+   * be planned.
+   */
   readonly done: Promise<Proof>;
   /** Ends the proof; what is proven is kept, and its certificate is made, which may take some time. */
   stop(): void;
@@ -30,7 +33,7 @@ export class Prover implements ProofHandle {
     private readonly onBound: (seconds: number) => void,
   ) {
     this.done = new Promise((resolve, reject) => (this.settle = { resolve, reject }));
-    const died = (why: string) => this.settle.reject(new KerfwayError('planner-died', why));
+    const died = (why: string) => this.settle.resolve({ seconds: this.proven, certificate: null, hindrance: why });
     this.connection = new WorkerConnection(start, { module }, (m) => this.receive(m), died, silenceLimits);
     this.connection.post({ type: 'prove', id: 0, bytes, name, options, planning, budget });
     this.connection.expect('working');
