@@ -20,7 +20,7 @@ test('the frame of the page is visible before its script runs', async (t) => {
 });
 
 test('the hint stays as long as there is nothing of one\'s own', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'planning', 'done');
   assert.equal(await page.locator('#hint').isVisible(), true);
   await page.getByRole('button', { name: 'Samples' }).click();
@@ -33,7 +33,7 @@ test('the hint stays as long as there is nothing of one\'s own', async (t) => {
 });
 
 test('contours are shown in the colours of their layers, and one view at a time', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'planning', 'done');
   await drop(page, 'layers.dxf', sample('layers.dxf'));
   await planned(page, 'layers.dxf', 'done');
@@ -52,7 +52,7 @@ test('contours are shown in the colours of their layers, and one view at a time'
 });
 
 test('distances are measured between ends and centres, to which clicks snap', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'planning', 'done');
   const square = [[0, 0], [120, 0], [120, 90], [0, 90]].flatMap(([x, y]) => ['10', x, '20', y]);
   const text = ['0', 'SECTION', '2', 'HEADER', '9', '$INSUNITS', '70', 4, '0', 'ENDSEC', '0', 'SECTION', '2', 'ENTITIES', '0', 'LWPOLYLINE', '8', 'CUT', '90', 4, '70', 1, ...square, '0', 'ENDSEC', '0', 'EOF'];
@@ -74,7 +74,7 @@ test('distances are measured between ends and centres, to which clicks snap', as
 });
 
 test('on a phone the bottom sheet is dragged to other heights and closed by dragging', async (t) => {
-  const { page } = await openPage(t, { size: SIZES.phone, touch: true, hash: 'seconds=1' });
+  const { page } = await openPage(t, { size: SIZES.phone, touch: true, hash: 'seconds=0.4' });
   await phase(page, 'done');
   const client = await page.context().newCDPSession(page);
   const touch = (type, points) => client.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
@@ -101,7 +101,7 @@ test('on a phone the bottom sheet is dragged to other heights and closed by drag
 });
 
 test('on a phone every target is at least 44 pixels high and wide', async (t) => {
-  const { page } = await openPage(t, { size: SIZES.phone, touch: true, hash: 'seconds=1' });
+  const { page } = await openPage(t, { size: SIZES.phone, touch: true, hash: 'seconds=0.4' });
   await phase(page, 'done');
   const small = () => page.evaluate(() => [...document.querySelectorAll('button, select, input:not([type=checkbox]), summary')]
     .filter((e) => e.checkVisibility() && e.getClientRects().length > 0 && !e.closest('.hidden'))
@@ -120,7 +120,7 @@ test('on a phone every target is at least 44 pixels high and wide', async (t) =>
 });
 
 test('from opening a file to its program by keyboard alone', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'planning', 'done');
   const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.locator('.open').press('Enter')]);
   await chooser.setFiles({ name: 'keys.dxf', mimeType: 'image/vnd.dxf', buffer: grid(30) });
@@ -135,7 +135,7 @@ test('from opening a file to its program by keyboard alone', async (t) => {
 });
 
 test('with less motion nothing glides or glows', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await phase(page, 'done');
   const before = await still(page);
@@ -150,7 +150,7 @@ test('with less motion nothing glides or glows', async (t) => {
 
 for (const theme of ['light', 'dark']) {
   test(`a 4k window has larger text, on the sheet too (${theme})`, async (t) => {
-    const { page } = await openPage(t, { size: { width: 3840, height: 2160 }, theme, hash: 'seconds=1' });
+    const { page } = await openPage(t, { size: { width: 3840, height: 2160 }, theme, hash: 'seconds=0.4' });
     await phase(page, 'done');
     assert.equal(await page.evaluate(() => getComputedStyle(document.body).fontSize), '18px');
     await still(page);
@@ -159,7 +159,7 @@ for (const theme of ['light', 'dark']) {
 }
 
 test('the start lies over a finding, air moves are grey while colours show the order, and rows stay while planning', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'planning', 'done');
   // The ends of the outline are 0.3 mm apart at the origin, where the head starts.
   const points = [[0, 0], [240, 0], [240, 180], [0, 180], [0, 0.3]].flatMap(([x, y]) => ['10', x, '20', y]);

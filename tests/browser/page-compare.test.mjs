@@ -13,7 +13,7 @@ for (const [name, size] of Object.entries(SIZES)) {
   for (const theme of ['light', 'dark']) {
     test(`the sheet shows the other orders, alone and side by side (${name}, ${theme})`, async (t) => {
       const narrow = size === SIZES.phone;
-      const { page } = await openPage(t, { size, theme, touch: narrow, hash: 'seconds=1' });
+      const { page } = await openPage(t, { size, theme, touch: narrow, hash: 'seconds=0.4' });
       await phase(page, 'planning', 'done');
       await drop(page, 'rings.dxf', sample('parts-in-parts.dxf'));
       await planned(page, 'rings.dxf', 'done');
@@ -47,7 +47,7 @@ for (const [name, size] of Object.entries(SIZES)) {
 }
 
 test('what each kind of decision saves is worked out by leaving it out', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'done');
   await page.evaluate(() => [...document.querySelectorAll('details.more')].find((d) => d.textContent.startsWith('What saves what')).setAttribute('open', ''));
   await page.getByRole('button', { name: 'Work it out' }).click();
@@ -63,7 +63,7 @@ test('what each kind of decision saves is worked out by leaving it out', async (
 });
 
 test('the program is copied, its download carries file, machine and date, and a new file starts the chart anew', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
   await phase(page, 'done');
   const begun = Date.now();

@@ -11,7 +11,7 @@ const gist = (page, begin) => page.waitForFunction((b) => document.querySelector
 const gcode = async (page) => (await download(page, () => page.locator('.dock').getByRole('button', { name: 'G-code' }).click())).bytes.toString();
 
 test('a contour is skipped by card, key and Alt with a click, stays visible, and is cut again', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'planning', 'done');
   await drop(page, 'rings.dxf', sample('parts-in-parts.dxf'));
   await planned(page, 'rings.dxf', 'done');
@@ -64,7 +64,7 @@ test('a contour is skipped by card, key and Alt with a click, stays visible, and
 });
 
 test('contours skipped in a file are still skipped when it is opened again', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'planning', 'done');
   await dropAll(page, [['one.dxf', grid(12)], ['two.dxf', grid(20)]]);
   await page.waitForFunction(() => document.querySelector('.queue').textContent === '2 of 2');

@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { download, openPage, phase } from './page-support.mjs';
 
 test('a program is checked below the downloads, and a dialect of one\'s own is tried while it is typed', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'done');
   const preflight = page.locator('.preflight');
   await preflight.getByText('The program passes its check').waitFor();
@@ -36,7 +36,7 @@ test('a program is checked below the downloads, and a dialect of one\'s own is t
 });
 
 test('a program that fails its check is not offered, neither among the downloads nor at the foot', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'done');
   const foot = page.locator('.dock').getByRole('button', { name: 'G-code' });
   assert.equal(await foot.isEnabled(), true);

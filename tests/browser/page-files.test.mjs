@@ -11,7 +11,7 @@ const told = (page, words) => page.waitForFunction((w) => document.querySelector
 const items = (page) => page.locator('.menu-item:visible').evaluateAll((all) => all.map((item) => [...item.children].map((c) => c.textContent)));
 
 test('files dropped together are planned one after the other; each can be opened, and all programs downloaded', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'planning', 'done');
   const drawings = [['one.dxf', grid(20)], ['broken.dxf', Buffer.from('AC1032\0\0')], ['asks.dxf', sample('no-units.dxf')], ['two.dxf', grid(30)], ['three.dxf', grid(40)]];
   await dropAll(page, drawings);
@@ -50,7 +50,7 @@ test('files dropped together are planned one after the other; each can be opened
 });
 
 test('on a phone the list of files fits beside the rest', async (t) => {
-  const { page } = await openPage(t, { size: SIZES.phone, theme: 'dark', hash: 'seconds=1' });
+  const { page } = await openPage(t, { size: SIZES.phone, theme: 'dark', hash: 'seconds=0.4' });
   await phase(page, 'planning', 'done');
   await dropAll(page, [['a-plate-with-a-long-name.dxf', grid(20)], ['b.dxf', grid(30)]]);
   await told(page, '2 of 2');
@@ -66,7 +66,7 @@ test('on a phone the list of files fits beside the rest', async (t) => {
 
 test('the samples are those of scripts/samples.mjs, and each shows what it says', async (t) => {
   for (const [file, content] of Object.entries(SAMPLES)) assert.equal(sample(file).toString(), content, `${file}: node scripts/samples.mjs`);
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'planning', 'done');
   const take = async (title, file, ...phases) => {
     await page.getByRole('button', { name: 'Samples' }).click();
@@ -86,7 +86,7 @@ test('the samples are those of scripts/samples.mjs, and each shows what it says'
 });
 
 test('a sample of an ability comes with a machine that has it, and the next drawing has the own one again', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'planning', 'done');
   const open = async (title, file) => {
     await page.getByRole('button', { name: 'Samples' }).click();
@@ -115,7 +115,7 @@ test('a sample of an ability comes with a machine that has it, and the next draw
 });
 
 test('a click with Shift or a key pins a contour; the list unpins it, undo pins it again', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'planning', 'done');
   await drop(page, 'rings.dxf', sample('parts-in-parts.dxf'));
   await planned(page, 'rings.dxf', 'done');

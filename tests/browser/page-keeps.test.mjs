@@ -38,7 +38,7 @@ async function skip(page) {
 const stored = (page) => page.locator('.kept').waitFor({ state: 'attached' }).then(() => page.waitForFunction(() => !document.querySelector('.kept').hidden));
 
 test('a wrong file leaves the drawing, its plan and its undo as they were, and is explained beside them', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await done(page, 'own.dxf', grid(60));
   await skip(page);
   const [time, before] = [await jobTime(page), await moves(page)];
@@ -72,7 +72,7 @@ test('a search goes on while a wrong file is dropped', async (t) => {
 });
 
 test('undo and redo bring back the plan found for each state, and its search goes on where it was', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await done(page, 'own.dxf', grid(90));
   // What is stored is the plan in which the search ended.
   await stored(page);
@@ -92,7 +92,7 @@ test('undo and redo bring back the plan found for each state, and its search goe
 });
 
 test('a reload and a crash bring back the drawing, its decisions and its plan; one click forgets them', async (t) => {
-  const { page, url } = await openPage(t, { hash: 'seconds=1', broken: true });
+  const { page, url } = await openPage(t, { hash: 'seconds=0.4', broken: true });
   await done(page, 'own.dxf', grid(60));
   await skip(page);
   await stored(page);
@@ -119,7 +119,7 @@ test('a reload and a crash bring back the drawing, its decisions and its plan; o
 });
 
 test('tabs with the same file keep a job each; a new tab begins with the newest', async (t) => {
-  const { page, url } = await openPage(t, { hash: 'seconds=1' });
+  const { page, url } = await openPage(t, { hash: 'seconds=0.4' });
   await done(page, 'own.dxf', grid(60));
   await stored(page);
   const other = await page.context().newPage();
@@ -136,7 +136,7 @@ test('tabs with the same file keep a job each; a new tab begins with the newest'
 });
 
 test('a project file holds everything: the page opens it again, and the command line writes its program', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await done(page, 'own.dxf', grid(60));
   await skip(page);
   const [time, before] = [await jobTime(page), await moves(page)];

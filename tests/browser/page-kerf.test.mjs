@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { download, drop, openPage, phase, replanned, shot, SIZES, still } from './page-support.mjs';
 
 const SHEET = readFileSync(new URL('../fixtures/plate/one-kerf-apart.dxf', import.meta.url));
-const HASH = 'machine=fibre-6kw-plate&seconds=1&seed=1';
+const HASH = 'machine=fibre-6kw-plate&seconds=0.4&seed=1';
 
 async function planned(page) {
   const { bytes } = await download(page, () => page.locator('.downloads').getByRole('button', { name: 'Plan (JSON)', exact: true }).click());

@@ -9,7 +9,7 @@ for (const [name, size] of Object.entries(SIZES)) {
   for (const theme of ['light', 'dark']) {
     test(`every ability, ${name}, ${theme}`, async (t) => {
       const narrow = size === SIZES.phone;
-      const { page } = await openPage(t, { size, theme, touch: narrow, hash: 'seconds=1' });
+      const { page } = await openPage(t, { size, theme, touch: narrow, hash: 'seconds=0.4' });
       await phase(page, 'done');
       const keep = async (what) => {
         const over = await page.evaluate(() => [document.documentElement.scrollWidth - innerWidth, ...[...document.querySelectorAll('#sections *, #dock *, .top *, .card *')]

@@ -36,7 +36,7 @@ function brackets() {
 
 /** Opens the brackets and waits for their plan. */
 async function opened(t, options) {
-  const { page } = await openPage(t, { hash: 'seconds=1', ...options });
+  const { page } = await openPage(t, { hash: 'seconds=0.4', ...options });
   await phase(page, 'planning', 'done');
   await drop(page, 'own.dxf', brackets());
   await planned(page, 'own.dxf', 'done');

@@ -14,7 +14,7 @@ async function planned(page) {
 }
 
 test('shared sides are cut once, or with the switch off each contour by itself, and a finding tells what it saves', async (t) => {
-  const { page } = await openPage(t, { hash: 'machine=fibre-6kw-plate&seconds=1&seed=1' });
+  const { page } = await openPage(t, { hash: 'machine=fibre-6kw-plate&seconds=0.4&seed=1' });
   await phase(page, 'planning', 'done');
   await drop(page, 'shared-sides.dxf', SHEET);
   await page.waitForFunction(() => document.querySelector('.file-name')?.textContent === 'shared-sides.dxf');

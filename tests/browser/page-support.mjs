@@ -246,7 +246,7 @@ export async function machineSection(page, size) {
 
 /** Opens the page with a machine and a drawing in millimetres that is planned, the same with the same seed. */
 export async function openPlanned(t, machine, name, bytes, options = {}) {
-  const { page } = await openPage(t, { hash: `machine=${machine}&seconds=1&seed=1&units=mm`, ...options });
+  const { page } = await openPage(t, { hash: `machine=${machine}&seconds=0.4&seed=1&units=mm`, ...options });
   await phase(page, 'planning', 'done');
   await drop(page, name, Buffer.from(bytes));
   await planned(page, name, 'done');

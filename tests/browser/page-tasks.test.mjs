@@ -210,7 +210,7 @@ const TASKS = [
     await person.use(button(page, 'Stop', '.dock'), 's');
     await phase(page, 'done');
     await button(page, /^Undo/, '.top').evaluate((undo) => undo.click());
-    await page.waitForFunction(() => location.hash.includes('seconds=1') && document.body.dataset.phase === 'done');
+    await page.waitForFunction(() => location.hash.includes('seconds=0.4') && document.body.dataset.phase === 'done');
   }],
   ['operator', 'download the program', async ({ person, page }) => {
     const { name, bytes } = await download(page, () => person.use(page.locator('.dock-actions .primary:visible'), 'g'));
@@ -265,7 +265,7 @@ const presses = Object.fromEntries(Object.keys(WAYS).map((by) => [by, []]));
 for (const [by, options] of Object.entries(WAYS)) {
   test(`twenty tasks by ${by}`, async (t) => {
     assert.equal(TASKS.length, 20);
-    const { page } = await openPage(t, { hash: 'seconds=1', ...options });
+    const { page } = await openPage(t, { hash: 'seconds=0.4', ...options });
     const folder = mkdtempSync(join(tmpdir(), 'kerfway-tasks-'));
     t.after(() => rmSync(folder, { recursive: true }));
     const file = join(folder, 'plates.dxf');

@@ -36,7 +36,7 @@ const read = (page) => page.evaluate(() => {
 });
 
 test('every language: the job stays, nothing is left in English, numbers and errors are in its form, and it works without a network', async (t) => {
-  const { page, sent } = await openPage(t, { hash: 'seconds=1' });
+  const { page, sent } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'planning', 'done');
   assert.equal(sent.filter(({ file }) => file.includes('language-')).length, 0, 'a first visit in English loads no other language');
   await drop(page, 'careless.dxf', sample('gaps-and-copies.dxf'));
@@ -91,7 +91,7 @@ test('every language: the job stays, nothing is left in English, numbers and err
 });
 
 test('lengths in inches: shown, typed and kept, and the drawing and the program stay in millimetres', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=1' });
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'planning', 'done');
   const square = [[20, 20], [274, 20], [274, 147], [20, 147]].flatMap(([x, y]) => ['10', x, '20', y]);
   const text = ['0', 'SECTION', '2', 'HEADER', '9', '$INSUNITS', '70', 4, '0', 'ENDSEC', '0', 'SECTION', '2', 'ENTITIES', '0', 'LWPOLYLINE', '8', 'CUT', '90', 4, '70', 1, ...square, '0', 'ENDSEC', '0', 'EOF'];

@@ -37,7 +37,7 @@ const choose = async (page, press, file) => {
 };
 
 test('the page refuses it, and plans the next file', async (t) => {
-  const { page } = await openPage(t, { prepare: countReads, hash: 'seconds=1' });
+  const { page } = await openPage(t, { prepare: countReads, hash: 'seconds=0.4' });
   await phase(page, 'planning', 'done');
   await page.evaluate(() => (window.bytesRead = 0));
   await choose(page, () => page.locator('button.open').click(), sparse(t));
