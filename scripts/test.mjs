@@ -86,7 +86,7 @@ function command(name, program, args, env = {}) {
     const node = ['pass', 'fail', 'skipped'].map((k) => Number(new RegExp(`^\\S+ ${k} (\\d+)$`, 'm').exec(plain)?.[1] ?? 0));
     const [passed, failed, skipped] = [...rust, node].reduce((sum, counts) => sum.map((n, k) => n + counts[k]), [0, 0, 0]);
     if (code === 0) return { passed: passed || 1, failed, skipped };
-    return { passed, failed: failed || 1, skipped, names: failures(plain), files: [...plain.matchAll(/^test at (\S+?):\d+:\d+$/gm)].map((m) => m[1]) };
+    return { passed, failed: failed || 1, skipped, names: failures(plain), at: [...plain.matchAll(/^test at (\S+?):\d+:\d+$/gm)].map((m) => m[1]) };
   };
   return { name, work };
 }
@@ -104,8 +104,9 @@ function node(name, atOnce, files) {
   const run = (files, atOnce) => command(name, 'node', ['--test', '--test-reporter=spec', `--test-concurrency=${atOnce}`, ...files]).work();
   const work = async () => {
     const first = await run(files, atOnce);
-    const again = files.filter((file) => first.files?.includes(relative(ROOT, file)));
-    if (again.length === 0) return first;
+    const again = files.filter((file) => first.at?.includes(relative(ROOT, file)));
+    // A failure without a place, such as a file that cannot be read, stays one.
+    if (again.length === 0 || first.at.length < first.failed) return first;
     console.log(`\n== ${name}, again: ${again.map((file) => basename(file)).join(', ')}`);
     const second = await run(again, 1);
     const late = first.names.filter((test) => !second.names?.includes(test));
