@@ -19,7 +19,18 @@ const contentSecurityPolicy: Plugin = {
 /** Languages are stored for use without a network when they are first used; other parts of the page with the writers of programs. */
 function kindOf(module: string): string {
   if (/core\/words\/\w+\.ts$/.test(module)) return 'language-';
-  return /www\/app\/session\/\w+\.ts$/.test(module) ? 'later-' : '';
+  return /www\/app\/(session|panels)\/\w+\.ts$/.test(module) ? 'later-' : '';
+}
+
+/** Whether the page needs a module at once: from its own script, imports that are no calls lead to it. */
+function isNeededAtOnce(module: string, modules: { getModuleInfo(id: string): { isEntry: boolean; importers: readonly string[] } | null }): boolean {
+  const found = new Set([module]);
+  for (const id of found) {
+    const info = modules.getModuleInfo(id);
+    if (info?.isEntry) return true;
+    info?.importers.forEach((from) => found.add(from));
+  }
+  return false;
 }
 
 // The page uses the built package as any other site would; any web server can serve the result.
@@ -32,6 +43,7 @@ export default defineConfig({
   build: {
     outDir: at('../../dist/app'), emptyOutDir: true, target: 'es2022',
     // What the page loads when it is needed. The build and the service worker know these files by their names.
-    rolldownOptions: { output: { chunkFileNames: ({ facadeModuleId }) => `assets/${kindOf(facadeModuleId ?? '')}[name]-[hash].js` } },
+    // What it needs at once is one file: many small ones are larger when they are compressed.
+    rolldownOptions: { output: { codeSplitting: { groups: [{ debugName: 'page', name: (id, context) => (isNeededAtOnce(id, context) ? 'page' : null) }] }, chunkFileNames: ({ facadeModuleId }) => `assets/${kindOf(facadeModuleId ?? '')}[name]-[hash].js` } },
   },
 });

@@ -65,10 +65,8 @@ export function calibration(session: Session, notify: (sentence: string) => void
   };
   const actions = h('div', { class: 'row' }, fit, clear);
   const result = h('div', { class: 'stack' }, table, take);
-  const root = h('details', { class: 'more' }, h('summary', {}, words.calibration.title),
-    h('div', { class: 'stack' }, h('p', { class: 'soft' }, words.calibration.hint), form, list, result, actions));
   show([], null);
-  return root;
+  return h('div', { class: 'stack' }, h('p', { class: 'soft' }, words.calibration.hint), form, list, result, actions);
 }
 
 /** The pierce time of a material is that of its setting, so the fitted one belongs there. */

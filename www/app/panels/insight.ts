@@ -48,6 +48,7 @@ export function insightPanel(session: Session, theme: Theme): HTMLElement {
   session.store.on('change', soon);
   theme.on('change', () => charts.forEach((c) => c.redraw()));
   new ResizeObserver(soon).observe(holder);
+  draw();
   return root;
 }
 

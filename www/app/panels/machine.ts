@@ -3,7 +3,6 @@
 import { button, h } from '../core/dom.js';
 import type { MachineProfile } from 'kerfway';
 import type { Session } from '../session/session.js';
-import { calibration } from './calibration.js';
 import { dialectEditor } from './dialect.js';
 import { jointsPanel } from './joints.js';
 import { leadsPanel } from './leads.js';
@@ -11,7 +10,7 @@ import { leversPanel } from './levers.js';
 import { skeletonPanel } from './skeleton.js';
 import { materials } from './materials.js';
 import { ownMachines } from './own-machines.js';
-import { check, field, numberInput, section, select } from './section.js';
+import { check, field, laterDetails, numberInput, section, select } from './section.js';
 import { words } from '../core/words/index.js';
 
 interface Quantity {
@@ -95,7 +94,7 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     if (chosen) session.setMachine(structuredClone(chosen));
   });
   const library = materials(session);
-  const fitting = calibration(session, notify);
+  const fitting = laterDetails(words.calibration.title, async () => (await import('./calibration.js')).calibration(session, notify), notify);
   choice.root.setAttribute('aria-label', words.machine.preset);
   choice.root.classList.add('wide');
   const travel = select<MachineProfile['travel']>((value) => edit((m) => (m.travel = value)));

@@ -6,9 +6,9 @@ import { type OutputKind, PROVEN, type Summary } from 'kerfway';
 import type { Alternatives } from '../session/alternatives.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
+import { messageOf } from '../core/strings.js';
 import type { Theme } from '../core/theme.js';
 import { chart } from './chart.js';
-import { insightPanel } from './insight.js';
 import { preflight } from './preflight.js';
 import { savingsPanel } from './savings.js';
 import { section } from './section.js';
@@ -47,7 +47,14 @@ export function resultPanel(session: Session, theme: Theme, { download, saveProj
     buttons[0]!.disabled = copy.disabled = !passed;
     session.store.programChecked(passed);
   });
-  const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, chart(session, theme), insightPanel(session, theme), parts, savingsPanel(session, alternatives), files, check);
+  const insights = h('div', { hidden: true });
+  const stopWaiting = session.store.on('progress', () => {
+    if (session.state.insights.now === null) return;
+    stopWaiting();
+    // Only methods from papers have insights.
+    import('./insight.js').then(({ insightPanel }) => insights.replaceWith(insightPanel(session, theme)), (error) => session.store.notify(messageOf(error)));
+  });
+  const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, chart(session, theme), insights, parts, savingsPanel(session, alternatives), files, check);
   const empty = h('p', { class: 'soft' }, words.result.none);
   body.append(empty, content);
 

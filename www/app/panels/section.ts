@@ -2,6 +2,7 @@
 
 import { h, setText } from '../core/dom.js';
 import { shownIn, typed, written } from '../core/lengths.js';
+import { messageOf } from '../core/strings.js';
 
 export interface Section {
   root: HTMLDetailsElement;
@@ -19,6 +20,21 @@ export function section(title: string, open: boolean): Section {
     gist.classList.toggle('grave', grave);
   };
   return { root, body, setGist };
+}
+
+/** Details whose content is loaded when they are opened. `failed` gets the reason if it cannot be. */
+export function laterDetails(title: string, load: () => Promise<HTMLElement>, failed: (sentence: string) => void): HTMLElement {
+  const root = h('details', { class: 'more' }, h('summary', {}, title));
+  let content: Promise<void> | null = null;
+  root.addEventListener('toggle', () => {
+    if (!root.open) return;
+    content ??= load().then((loaded) => root.append(loaded)).catch((error) => {
+      content = null;
+      root.open = false;
+      failed(messageOf(error));
+    });
+  });
+  return root;
 }
 
 /** A label above or beside its control. `unit`: that of the value; a length is shown in the unit that the person has chosen. */
