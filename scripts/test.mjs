@@ -86,7 +86,9 @@ function command(name, program, args, env = {}) {
     const node = ['pass', 'fail', 'skipped'].map((k) => Number(new RegExp(`^\\S+ ${k} (\\d+)$`, 'm').exec(plain)?.[1] ?? 0));
     const [passed, failed, skipped] = [...rust, node].reduce((sum, counts) => sum.map((n, k) => n + counts[k]), [0, 0, 0]);
     if (code === 0) return { passed: passed || 1, failed, skipped };
-    return { passed, failed: failed || 1, skipped, names: failures(plain), at: [...plain.matchAll(/^test at (\S+?):\d+:\d+$/gm)].map((m) => m[1]) };
+    // The file of each failure, as the runner of Node prints it.
+    const at = [...plain.matchAll(/^test at (\S+?):\d+:\d+$/gm)].map((m) => m[1]);
+    return { passed, failed: failed || 1, skipped, names: failures(plain), at };
   };
   return { name, work };
 }

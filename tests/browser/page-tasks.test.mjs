@@ -200,7 +200,7 @@ const TASKS = [
     await phase(page, 'done');
   }],
   ['operator', 'search longer, and stop when it is enough', async ({ person, page }) => {
-    // A search of a second would end by itself before the slowest of these people has stopped it.
+    // A search of 0.4 s would end by itself before the slowest of these people has stopped it.
     await searchFor(page, 60);
     await phase(page, 'planning');
     await page.locator('.dock').getByRole('button', { name: 'Stop' }).evaluate((stop) => stop.click());

@@ -42,8 +42,13 @@ export default defineConfig({
   worker: { format: 'es' },
   build: {
     outDir: at('../../dist/app'), emptyOutDir: true, target: 'es2022',
-    // What the page loads when it is needed. The build and the service worker know these files by their names.
-    // What it needs at once is one file: many small ones are larger when they are compressed.
-    rolldownOptions: { output: { codeSplitting: { groups: [{ debugName: 'page', name: (id, context) => (isNeededAtOnce(id, context) ? 'page' : null) }] }, chunkFileNames: ({ facadeModuleId }) => `assets/${kindOf(facadeModuleId ?? '')}[name]-[hash].js` } },
+    rolldownOptions: {
+      output: {
+        // What the page needs at once is one file: many small ones are larger when they are compressed.
+        codeSplitting: { groups: [{ debugName: 'page', name: (id, context) => (isNeededAtOnce(id, context) ? 'page' : null) }] },
+        // What it loads when it is needed. The build and the service worker know these files by their names.
+        chunkFileNames: ({ facadeModuleId }) => `assets/${kindOf(facadeModuleId ?? '')}[name]-[hash].js`,
+      },
+    },
   },
 });

@@ -33,8 +33,7 @@ export class Prover implements ProofHandle {
     private readonly onBound: (seconds: number) => void,
   ) {
     this.done = new Promise((resolve, reject) => (this.settle = { resolve, reject }));
-    const died = (why: string) => this.settle.resolve({ seconds: this.proven, certificate: null, hindrance: why });
-    this.connection = new WorkerConnection(start, { module }, (m) => this.receive(m), died, silenceLimits);
+    this.connection = new WorkerConnection(start, { module }, (m) => this.receive(m), (why) => this.end(why), silenceLimits);
     this.connection.post({ type: 'prove', id: 0, bytes, name, options, planning, budget });
     this.connection.expect('working');
   }
@@ -45,7 +44,12 @@ export class Prover implements ProofHandle {
 
   close(): void {
     this.connection.close();
-    this.settle.resolve({ seconds: this.proven, certificate: null, hindrance: null });
+    this.end(null);
+  }
+
+  /** Ends with what was reported. `hindrance`: why there is no more. */
+  private end(hindrance: string | null): void {
+    this.settle.resolve({ seconds: this.proven, certificate: null, hindrance });
   }
 
   private receive(message: FromWorker): void {
