@@ -29,6 +29,22 @@ test('wrong files are refused with one sentence each, and a right one is planned
   assert.equal(await page.locator('.failure').isVisible(), false);
 });
 
+test('Escape closes the card of a file that cannot be used, and keeps what is selected until it is pressed again', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await phase(page, 'done');
+  await page.keyboard.press('Home');
+  const selected = page.getByRole('region', { name: 'Selected contour' });
+  await selected.waitFor();
+  await drop(page, 'empty.dxf', Buffer.alloc(0));
+  const failure = page.locator('.failure');
+  await failure.waitFor();
+  await page.keyboard.press('Escape');
+  await failure.waitFor({ state: 'hidden' });
+  assert.equal(await selected.isVisible(), true);
+  await page.keyboard.press('Escape');
+  assert.equal(await selected.isVisible(), false);
+});
+
 test('a truncated file is planned as far as it goes, and the page says that it ends too early', async (t) => {
   const { page } = await openPage(t);
   await phase(page, 'planning');

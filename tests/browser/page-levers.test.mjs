@@ -210,3 +210,14 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
     assert.deepEqual([apart.machine.levers, apart.summary.pierces], [undefined, 4]);
   });
 }
+
+test('a machine that joins contours through waste offers no pauses in corners, which it cannot have', async (t) => {
+  const page = await openPlanned(t, 'fibre-3kw-thin', 'two.dxf', dxf([...square(20, 20, 40), ...square(62, 20, 40)]));
+  const machine = await machineSection(page, SIZES.desktop);
+  const pausing = machine.getByLabel('Pause in sharp corners');
+  const chains = machine.getByLabel('Join contours through waste');
+  await replanned(page, () => chains.check());
+  assert.equal(await pausing.isDisabled(), true);
+  await replanned(page, () => chains.uncheck());
+  assert.equal(await pausing.isDisabled(), false);
+});

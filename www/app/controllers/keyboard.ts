@@ -48,7 +48,8 @@ export function bindKeyboard({ session, playback, viewport, files, layout, point
     'Ctrl+z': () => session.undo(), 'Ctrl+Shift+z': redo, 'Ctrl+y': redo,
     '?': () => help.showModal(),
     Escape: () => {
-      if (pointer.measure(false)) flip('measure');
+      if (session.state.refused && session.state.loaded) session.store.refusalSeen();
+      else if (pointer.measure(false)) flip('measure');
       else if (!pointer.placeJoints(false) && !pointer.cancelHome() && !pointer.dragJob(false)) selection.clear();
     },
   });

@@ -102,7 +102,8 @@ export class Selection {
   reveal(contour: number): void {
     this.select(contour);
     const box = this.scene.boxOf(contour);
-    if (box) this.scene.viewport.reveal(box);
+    const { offsetLeft, offsetTop, offsetWidth } = this.card.root;
+    if (box) this.scene.viewport.reveal(box, { right: offsetLeft + offsetWidth, top: offsetTop });
     this.announcer.say(describe(this.session, this.playback, contour).join(', '));
   }
 

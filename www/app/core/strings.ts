@@ -1,6 +1,6 @@
 /** Sentences that depend on a state, units and operations in the order of their lists, names of files. */
 
-import { count, POINT, seconds } from './format.js';
+import { count, POINT } from './format.js';
 import { inChosenUnit } from './lengths.js';
 import { language, translated, words } from './words/index.js';
 import { type DoneReason, type Finding, isKerfwayError, type KerfwayError, type MachineProfile, type Operation, type Unit } from 'kerfway';
@@ -19,7 +19,7 @@ const QUIET = 1;
 export function doneSentence(reason: DoneReason | null, quiet: number): string {
   if (reason !== null && reason !== 'budget') return words.dock.done[reason];
   const whole = Math.round(quiet);
-  return whole < QUIET ? words.dock.improving : words.dock.quiet(whole === 1 ? words.dock.second : seconds(whole));
+  return whole < QUIET ? words.dock.improving : words.dock.quiet(whole === 1 ? words.dock.second : `${count(whole)} s`);
 }
 
 /** The sentence of an error that the planner or the browser has thrown. */

@@ -82,10 +82,12 @@ function detailOf(state: State): string {
   const { phase, progress } = state;
   if (!progress || (phase !== 'planning' && phase !== 'paused' && phase !== 'done')) return '';
   const bound = progress.summary.gap === null || isOptimal(state) ? null : words.dock.gap(seconds(progress.summary.total_time - progress.summary.lower_bound));
-  const pace = phase === 'planning' ? words.dock.pace(short(Math.round(progress.rate))) : words.dock.moves(short(progress.moves));
-  const gain = (state.baselines?.greedy.total_time ?? 0) - progress.summary.total_time;
   const refused = isOffBed(state) ? words.dock.offBed : failsCheck(state) ? words.dock.fails : null;
-  return [refused, gain > 0 ? words.dock.saved(seconds(gain)) : null, pace, bound].filter((part) => part !== null).join(', ');
+  // Why there is no G-code comes first, and leaves no room for more than the gain.
+  const pace = refused !== null ? null : phase === 'planning' ? words.dock.pace(short(Math.round(progress.rate))) : words.dock.moves(short(progress.moves));
+  const gain = (state.baselines?.greedy.total_time ?? 0) - progress.summary.total_time;
+  // A number and its unit stay on one line.
+  return [refused, gain > 0 ? words.dock.saved(seconds(gain)) : null, pace, bound].filter((part) => part !== null).join(', ').replace(/(\d) s\b/g, '$1\u00a0s');
 }
 
 /** Whether the job is refused because of its place. The button stays, and says so with what to do. */

@@ -58,20 +58,21 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
     const { loaded, planFindings, beam } = session.state;
     // A plan for a machine with a kerf width measures features again, against that width.
     const ofDrawing = (loaded?.findings ?? []).filter((f) => beam === null || f.code !== 'feature-too-small');
-    findings.show([...ofDrawing, ...planFindings]);
+    const all = [...ofDrawing, ...planFindings];
+    findings.show(all);
+    const problems = problemCounts(all);
+    const contours = loaded ? activeContours(loaded).length : 0;
+    setGist(loaded ? [words.drawing.contours(contours, count(contours)), ...problems].join(', ') : '', problems.length > 0);
   };
   const show = () => {
     const { loaded } = session.state;
     empty.hidden = loaded !== null;
     content.hidden = loaded === null;
     if (!loaded) {
-      setGist('');
       showFindings();
       return;
     }
-    const problems = problemCounts(loaded.findings);
     const contours = activeContours(loaded);
-    setGist([words.drawing.contours(contours.length, count(contours.length)), ...problems].join(', '), problems.length > 0);
     layers.replaceChildren(layerList(session, loaded));
     pins.show();
     showCounts(loaded, contours);

@@ -133,6 +133,8 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     home.input.checked = machine.return_home;
     partialCuts.input.checked = typeof machine.pre_cut_time === 'number';
     pausing.input.checked = Boolean(machine.sharp_corner);
+    // Contours that are joined through waste are turned with the beam on.
+    pausing.input.disabled = !machine.sharp_corner && machine.levers?.chains != null;
     back.hidden = !changed;
     own.show(machine);
     dialect.show(machine);

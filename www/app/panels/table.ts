@@ -5,6 +5,7 @@
 
 import { button, h } from '../core/dom.js';
 import { clock, count, millimetres, size } from '../core/format.js';
+import { shownIn } from '../core/lengths.js';
 import { cutLength } from '../stage/shapes.js';
 import type { Session } from '../session/session.js';
 import type { Playback } from '../playback/playback.js';
@@ -17,6 +18,8 @@ import { words } from '../core/words/index.js';
 const ROW = matchMedia('(max-width: 719px)').matches ? 44 : 32;
 /** Rows that are kept above and below the visible ones. */
 const SPARE = 8;
+/** The column whose values have no unit of their own. */
+const ENTRY = 5;
 /** Milliseconds between two refreshes while the path improves: a table that jumps cannot be read. */
 const PAUSE = 1000;
 
@@ -43,7 +46,7 @@ export class OrderTable {
 
   constructor(private readonly session: Session, private readonly playback: Playback, private readonly actions: TableActions) {
     this.grid.append(
-      h('div', { role: 'rowgroup', class: 'order-head' }, h('div', { role: 'row', class: 'order-row', 'aria-rowindex': 1 }, ...words.table.columns.map((c) => h('span', { role: 'columnheader' }, c)))),
+      h('div', { role: 'rowgroup', class: 'order-head' }, h('div', { role: 'row', class: 'order-row', 'aria-rowindex': 1 }, ...words.table.columns.map((c, i) => h('span', { role: 'columnheader' }, i === ENTRY ? `${c}, ${shownIn('mm').unit}` : c)))),
       this.body);
     this.scroller = h('div', { class: 'order-scroll', tabindex: 0, role: 'region', 'aria-label': words.table.rows }, this.grid);
     this.root = h('section', { class: 'drawer', 'aria-labelledby': 'order-title', hidden: true },

@@ -28,7 +28,7 @@ export function drawSheet(pen: Pen, view: View, palette: Palette, bounds: readon
   pen.strokeStyle = palette.line;
   pen.lineWidth = r;
   pen.strokeRect(Math.round(x0 - pad) + 0.5, Math.round(y0 - pad) + 0.5, Math.round(x1 - x0 + 2 * pad), Math.round(y1 - y0 + 2 * pad));
-  pen.fillStyle = palette.faint;
+  pen.fillStyle = palette.text;
   pen.font = `${12 * view.text}px system-ui, sans-serif`;
   pen.textAlign = 'center';
   pen.textBaseline = 'top';
@@ -57,7 +57,7 @@ export function drawBed(pen: Pen, view: View, palette: Palette, bed: readonly nu
   pen.setLineDash([8 * r, 4 * r]);
   pen.strokeRect(x0, y0, x1 - x0, y1 - y0);
   pen.setLineDash([]);
-  pen.fillStyle = pen.strokeStyle;
+  pen.fillStyle = fits ? palette.text : palette.red;
   pen.font = `${12 * view.text}px system-ui, sans-serif`;
   pen.textBaseline = 'top';
   pen.textAlign = 'right';

@@ -10,6 +10,8 @@ export interface Palette {
   ink: string;
   inkSoft: string;
   faint: string;
+  /** Of text on the ground. */
+  text: string;
   accent: string;
   amber: string;
   red: string;
@@ -19,6 +21,6 @@ export interface Palette {
 export function readPalette(theme: 'light' | 'dark'): Palette {
   return {
     ground: colorOf('ground'), sheet: colorOf('sheet'), line: colorOf('line'), ink: colorOf('contour'), inkSoft: colorOf('contour-inner'),
-    faint: colorOf('contour-ignored'), accent: colorOf('accent'), amber: colorOf('amber-mark'), red: colorOf('red-mark'), ramp: ramp(theme),
+    faint: colorOf('contour-ignored'), text: colorOf('ink-soft'), accent: colorOf('accent'), amber: colorOf('amber-mark'), red: colorOf('red-mark'), ramp: ramp(theme),
   };
 }

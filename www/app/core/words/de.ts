@@ -257,7 +257,7 @@ export const de: Words = {
     together: (list) => `Zusammen: ${list}`, ungroup: 'Trennen', byRule: 'Nach Regel', own: { joints: (list) => `Eigene Mikrostege: ${list}`, lead: (list) => `Eigene Anfahrten: ${list}`, corners: (list) => `Eigene Ecken: ${list}` },
     anyOrder: 'Beliebige Reihenfolge', anyOrderAll: 'Die Reihenfolge dieser Folge der Suche überlassen',
     move: (name, place, of) => `${name} verschieben, ${place} von ${of}: ziehen oder Pfeiltasten`, removeOne: (name) => `${name} aus dieser Liste entfernen`,
-    kinds: (n, w) => `, ${counted(n, w, 'Form', 'Formen')}`, copies: (n, size) => `${n} × ${size}`, copiesHint: 'Alle Kopien dieses Teils auswählen',
+    kinds: (n, w) => `, ${counted(n, w, 'Form', 'Formen')}`, copies: (n, size) => `${n} Stück ${size}`, copiesHint: 'Alle Kopien dieses Teils auswählen',
   },
 
   layers: {
@@ -399,7 +399,7 @@ export const de: Words = {
     kinds: { gcode: 'G-Code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimentell)', remainder: 'Rest der Tafel (DXF)' },
     short: { now: 'Jetzt', greedy: 'Nächste', drawing: 'Gezeichnet' }, beside: 'Neben dem Plan zeigen', copy: 'Kopieren', copyHint: 'Den G-Code in die Zwischenablage kopieren',
     report: 'Bericht', reportHint: 'Eine Seite für den Bediener: Bild, Zeiten, Teile, Reihenfolge, Befunde', project: 'Projekt', projectHint: 'Das Projekt speichern: Zeichnung, Entscheidungen, Maschine und Plan (Strg S)',
-    saved: (time) => `${time} gespart`, longer: (time) => `${time} länger`, of: (share, order) => `${share} von dem, was die meisten Programme schneiden (nächste zuerst); ${order}`,
+    saved: (time) => `${time} gespart`, longer: (time) => `${time} länger`, of: (share, order) => `${share} des Auftrags, wie ihn die meisten Programme schneiden (nächste zuerst); ${order}`,
     less: (time) => `${time} weniger als gezeichnet`, more: (time) => `${time} mehr als gezeichnet`,
     cut: 'Schneiden', pierce: 'Einstechen', piercings: (n, w) => counted(n, w, 'Einstich', 'Einstiche'), preCuts: 'Vorschnitte', leads: 'Anfahrten', joints: 'Mikrostege', skeleton: 'Restgitter', skeletonCuts: (n, w) => counted(n, w, 'Schnitt', 'Schnitte'), corners: 'Ecken', gap: 'Noch zu gewinnen', atMost: (time, share) => `höchstens ${time} (${share})`, noBound: 'noch keine Schranke', nothingLeft: 'nichts: dieser Weg ist optimal',
     chart: 'Auftragszeit während der Suche', chartAxis: 'Auftragszeit während der Suche', chartAbove: (time) => `wie gezeichnet ${time} ↑`, chartNone: 'Auftragszeit während der Suche: noch keine Werte.',

@@ -171,7 +171,7 @@ export const en = {
 
   dock: {
     progress: 'Progress', stop: 'Stop', pause: 'Pause', resume: 'Resume', more: 'Keep improving', choose: 'Choose a DXF or SVG', sheet: 'Drawing, machine, plan, result',
-    starting: 'Starting the planner…', reading: (file: string) => `Reading ${file}…`, question: 'An answer is needed before planning.',
+    starting: 'Starting the planner…', reading: (file: string) => `Reading ${file}…`, question: 'An answer is needed first.',
     offBed: 'Not on the bed, so no G-code', fails: 'The program fails its check, so no G-code',
     nothing: 'Nothing to cut: set a layer to cut or mark.', failed: 'This file cannot be used.', optimal: 'Optimal: no better path exists.',
     planning: (best: string | null) => (best === null ? 'Planning' : `Planning, best so far ${best}`),
@@ -183,7 +183,7 @@ export const en = {
       replaced: 'Stopped: the planner had to be restarted. The best path is kept.',
       stopped: 'Stopped. The best path is kept.',
     } satisfies Partial<Record<DoneReason, string>>,
-    improving: 'Time is up, but the path was still improving.', quiet: (time: string) => `Done. Nothing better in the last ${time}.`, second: 'second',
+    improving: 'Time is up, still improving.', quiet: (time: string) => `Done. Nothing better for ${time}.`, second: 'a second',
   },
 
   drawing: {
@@ -206,7 +206,7 @@ export const en = {
     together: (contours: string) => `Together: ${contours}`, ungroup: 'Separate', byRule: 'By rule', own: { joints: (contours: string) => `Own micro-joints: ${contours}`, lead: (contours: string) => `Own leads: ${contours}`, corners: (contours: string) => `Own corners: ${contours}` },
     anyOrder: 'Any order', anyOrderAll: 'Leave the order of this sequence to the search',
     move: (name: string, place: string, of: string) => `Move ${name}, ${place} of ${of}: drag, or arrow keys`, removeOne: (name: string) => `Remove ${name} from this list`,
-    kinds: (n: number, written: string) => `, ${counted(n, written, 'shape')}`, copies: (n: string, size: string) => `${n} × ${size}`, copiesHint: 'Select all copies of this part',
+    kinds: (n: number, written: string) => `, ${counted(n, written, 'shape')}`, copies: (n: string, size: string) => `${n} of ${size}`, copiesHint: 'Select all copies of this part',
   },
 
   layers: {
@@ -348,7 +348,7 @@ export const en = {
     kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimental)', remainder: 'Remainder (DXF)' },
     short: { now: 'Now', greedy: 'Nearest', drawing: 'As drawn' }, beside: 'Show side by side with the plan', copy: 'Copy', copyHint: 'Copy the G-code to the clipboard',
     report: 'Report', reportHint: 'One page for the operator: picture, times, parts, order, findings', project: 'Project', projectHint: 'Save the project: drawing, decisions, machine and plan (Ctrl S)',
-    saved: (time: string) => `${time} saved`, longer: (time: string) => `${time} longer`, of: (share: string, order: string) => `${share} of what most programs cut, nearest first; ${order}`,
+    saved: (time: string) => `${time} saved`, longer: (time: string) => `${time} longer`, of: (share: string, order: string) => `${share} of the job as most programs cut it, nearest first; ${order}`,
     less: (time: string) => `${time} less than as drawn`, more: (time: string) => `${time} more than as drawn`,
     cut: 'Cut', pierce: 'Pierce', piercings: (n: number, written: string) => counted(n, written, 'piercing'), preCuts: 'Pre-cuts', leads: 'Leads', joints: 'Micro-joints', skeleton: 'Skeleton', skeletonCuts: (n: number, written: string) => counted(n, written, 'cut'), corners: 'Corners', gap: 'Left to gain', atMost: (time: string, share: string) => `at most ${time} (${share})`, noBound: 'no bound yet', nothingLeft: 'nothing: this path is optimal',
     chart: 'Job time while searching', chartAxis: 'Job time while searching', chartAbove: (time: string) => `as drawn ${time} ↑`, chartNone: 'Job time while searching: no values yet.',

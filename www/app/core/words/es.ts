@@ -257,7 +257,7 @@ export const es: Words = {
     together: (list) => `Juntos: ${list}`, ungroup: 'Separar', byRule: 'Según la regla', own: { joints: (list) => `Microuniones propias: ${list}`, lead: (list) => `Entradas propias: ${list}`, corners: (list) => `Esquinas propias: ${list}` },
     anyOrder: 'Cualquier orden', anyOrderAll: 'Dejar el orden de esta secuencia a la búsqueda',
     move: (name, place, of) => `Mover ${name}, ${place} de ${of}: arrastre o use las flechas`, removeOne: (name) => `Quitar ${name} de esta lista`,
-    kinds: (n, w) => `, ${counted(n, w, 'forma')}`, copies: (n, size) => `${n} × ${size}`, copiesHint: 'Seleccionar todas las copias de esta pieza',
+    kinds: (n, w) => `, ${counted(n, w, 'forma')}`, copies: (n, size) => `${n} de ${size}`, copiesHint: 'Seleccionar todas las copias de esta pieza',
   },
 
   layers: {
@@ -399,7 +399,7 @@ export const es: Words = {
     kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimental)', remainder: 'Resto de la chapa (DXF)' },
     short: { now: 'Ahora', greedy: 'Cercano', drawing: 'Dibujado' }, beside: 'Mostrar junto al plan', copy: 'Copiar', copyHint: 'Copiar el G-code al portapapeles',
     report: 'Informe', reportHint: 'Una página para el operador: imagen, tiempos, piezas, orden, avisos', project: 'Proyecto', projectHint: 'Guardar el proyecto: dibujo, decisiones, máquina y plan (Ctrl S)',
-    saved: (time) => `${time} ahorrados`, longer: (time) => `${time} más`, of: (share, order) => `${share} de lo que corta la mayoría de programas (el más cercano primero); ${order}`,
+    saved: (time) => `${time} ahorrados`, longer: (time) => `${time} más`, of: (share, order) => `${share} del trabajo tal como lo corta la mayoría de programas (el más cercano primero); ${order}`,
     less: (time) => `${time} menos que como está dibujado`, more: (time) => `${time} más que como está dibujado`,
     cut: 'Corte', pierce: 'Perforación', piercings: (n, w) => counted(n, w, 'perforación', 'perforaciones'), preCuts: 'Precortes', leads: 'Entradas', joints: 'Microuniones', skeleton: 'Esqueleto', skeletonCuts: (n, w) => counted(n, w, 'corte', 'cortes'), corners: 'Esquinas', gap: 'Por ganar', atMost: (time, share) => `como mucho ${time} (${share})`, noBound: 'aún sin cota', nothingLeft: 'nada: este recorrido es óptimo',
     chart: 'Tiempo del trabajo durante la búsqueda', chartAxis: 'Tiempo del trabajo durante la búsqueda', chartAbove: (time) => `como está dibujado ${time} ↑`, chartNone: 'Tiempo del trabajo durante la búsqueda: aún sin valores.',

@@ -254,7 +254,7 @@ export const ja: Words = {
     together: (list) => `まとめて：${list}`, ungroup: '分ける', byRule: '規則に従う', own: { joints: (list) => `個別のミクロジョイント：${list}`, lead: (list) => `個別のリード：${list}`, corners: (list) => `個別の角：${list}` },
     anyOrder: '任意の順', anyOrderAll: 'この列の順番を探索に任せる',
     move: (name, place, of) => `${name} を移動、${of} 個中 ${place} 番目：ドラッグまたは矢印キー`, removeOne: (name) => `${name} をこの一覧から外す`,
-    kinds: (_n, w) => `、${w} 種類`, copies: (n, size) => `${n} × ${size}`, copiesHint: 'この部品の複製をすべて選択',
+    kinds: (_n, w) => `、${w} 種類`, copies: (n, size) => `${size}、${n} 個`, copiesHint: 'この部品の複製をすべて選択',
   },
 
   layers: {

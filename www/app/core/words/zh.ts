@@ -254,7 +254,7 @@ export const zh: Words = {
     together: (list) => `一起：${list}`, ungroup: '分开', byRule: '按规则', own: { joints: (list) => `自定微连接：${list}`, lead: (list) => `自定引入线：${list}`, corners: (list) => `自定拐角：${list}` },
     anyOrder: '任意顺序', anyOrderAll: '由搜索决定此序列的顺序',
     move: (name, place, of) => `移动 ${name}，${of} 中的第 ${place} 个：拖动或用方向键`, removeOne: (name) => `从此列表移除 ${name}`,
-    kinds: (_n, w) => `，${w} 种形状`, copies: (n, size) => `${n} × ${size}`, copiesHint: '选择此零件的所有副本',
+    kinds: (_n, w) => `，${w} 种形状`, copies: (n, size) => `${size}，${n} 个`, copiesHint: '选择此零件的所有副本',
   },
 
   layers: {

@@ -1,0 +1,57 @@
+// Room on the page: nothing is cut off or covered, nothing is too small for a finger, nothing jumps when the state changes.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { drop, grid, openPage, phase, planned, sample, SIZES, still } from './page-support.mjs';
+
+test('a contour that is stepped to is not behind its card', async (t) => {
+  const { page } = await openPage(t, { size: { width: 1440, height: 700 }, hash: 'seconds=0.4&units=mm' });
+  await phase(page, 'planning', 'done');
+  // It fills the stage, and the first contour is near the start, at the lower left.
+  await drop(page, 'grid.dxf', grid(400));
+  await planned(page, 'grid.dxf', 'done');
+  await page.keyboard.press('Home');
+  const card = page.getByRole('region', { name: 'Selected contour' });
+  await card.waitFor();
+  await still(page);
+  const [canvas, toolbar] = await Promise.all(['#canvas', '.toolbar'].map((s) => page.locator(s).boundingBox()));
+  // The middle of what bars and margins leave free.
+  const x = canvas.x + (40 + canvas.width - 24 - toolbar.width) / 2, y = canvas.y + (60 + canvas.height - 40) / 2;
+  await page.keyboard.press('Escape');
+  await page.mouse.click(x, y);
+  assert.match(await card.textContent(), /^No\. 1 of 400/);
+});
+
+test('the table of the cutting order shows all of its columns, and says in which unit a cut begins', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
+  await phase(page, 'done');
+  await page.keyboard.press('t');
+  await page.locator('.rows .order-row').first().waitFor();
+  assert.deepEqual(await page.locator('.order-scroll').evaluate((e) => [e.scrollWidth - e.clientWidth, [...e.querySelectorAll('.order-row > :last-child')].filter((c) => c.scrollWidth > c.clientWidth).length]), [0, 0]);
+  assert.deepEqual(await page.locator('.order-head').getByRole('columnheader').allTextContents(), ['No.', '', 'Layer', 'Length', 'Begins', 'Entry, mm', 'Direction']);
+});
+
+test('the heading of the drawing counts the errors and warnings that its list counts', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4&units=mm' });
+  await phase(page, 'planning', 'done');
+  // Wider than the bed of the machine.
+  await drop(page, 'wide.dxf', grid(10, { step: 600 }));
+  await planned(page, 'wide.dxf', 'done');
+  await page.getByText('Not on the bed, so no G-code').waitFor();
+  const drawing = page.locator('details.section', { has: page.getByRole('heading', { name: 'Drawing', exact: true }) });
+  assert.equal(await drawing.locator('.gist').textContent(), '10 contours, 1 error');
+  assert.equal(await drawing.locator('details.more.errors > summary').textContent(), '1 error');
+});
+
+test('on a phone the sheet stays where it is while states follow each other, and answers are as high as a finger needs', async (t) => {
+  const { page } = await openPage(t, { size: SIZES.phone, touch: true, hash: 'seconds=0.4' });
+  const height = () => page.locator('#dock').evaluate((e) => Math.round(e.getBoundingClientRect().height));
+  await phase(page, 'done');
+  const done = await height();
+  await drop(page, 'no-units.dxf', sample('no-units.dxf'));
+  await phase(page, 'question');
+  assert.equal(await height(), done);
+  const answers = await page.locator('.choices button').evaluateAll((all) => all.map((e) => e.getBoundingClientRect().height));
+  assert.equal(answers.length, 4);
+  for (const high of answers) assert.ok(high >= 44, `${high}`);
+});
