@@ -2,24 +2,33 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { dxf, square } from '../package/support.mjs';
 import { drop, grid, openPage, phase, planned, sample, SIZES, still } from './page-support.mjs';
 
-test('a contour that is stepped to is not behind its card', async (t) => {
+test('a contour that is stepped to slides up above its card', async (t) => {
   const { page } = await openPage(t, { size: { width: 1440, height: 700 }, hash: 'seconds=0.4&units=mm' });
   await phase(page, 'planning', 'done');
-  // It fills the stage, and the first contour is near the start, at the lower left.
-  await drop(page, 'grid.dxf', grid(400));
-  await planned(page, 'grid.dxf', 'done');
-  await page.keyboard.press('Home');
+  // One contour is where the card will be.
+  await drop(page, 'two.dxf', dxf([...square(20, 20, 20), ...square(340, 160, 20)]));
+  await planned(page, 'two.dxf', 'done');
+  const canvas = await page.locator('#canvas').boundingBox();
+  // The margins that the sheet is fitted into.
+  const [left, right, top, bottom] = [40, 62, 60, 40];
+  const scale = 0.94 * Math.min((canvas.width - left - right) / 340, (canvas.height - top - bottom) / 160);
+  const x = canvas.x + left + (canvas.width - left - right) / 2 - 160 * scale, y = canvas.y + top + (canvas.height - top - bottom) / 2 + 70 * scale;
   const card = page.getByRole('region', { name: 'Selected contour' });
-  await card.waitFor();
-  await still(page);
-  const [canvas, toolbar] = await Promise.all(['#canvas', '.toolbar'].map((s) => page.locator(s).boundingBox()));
-  // The middle of what bars and margins leave free.
-  const x = canvas.x + (40 + canvas.width - 24 - toolbar.width) / 2, y = canvas.y + (60 + canvas.height - 40) / 2;
-  await page.keyboard.press('Escape');
   await page.mouse.click(x, y);
-  assert.match(await card.textContent(), /^No\. 1 of 400/);
+  const name = await card.locator('strong').textContent();
+  assert.match(name, /^No\. [12] of 2$/);
+  const box = await card.boundingBox();
+  assert.ok(y > box.y && x < box.x + box.width, 'it is behind the card');
+  await page.keyboard.press('Escape');
+
+  await page.keyboard.press(name.startsWith('No. 1') ? 'Home' : 'End');
+  await still(page);
+  await page.keyboard.press('Escape');
+  await page.mouse.click(x, box.y - 24 - 10 * scale);
+  assert.equal(await card.locator('strong').textContent(), name);
 });
 
 test('the table of the cutting order shows all of its columns, and says in which unit a cut begins', async (t) => {

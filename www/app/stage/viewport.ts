@@ -12,6 +12,8 @@ const CLOSEST = 4000;
 const FARTHEST = 1 / 6;
 /** Seconds of an animated move: long enough to see where it goes. */
 const FLIGHT = 0.28;
+/** Pixels between the card and a box that slides up above it. */
+const ABOVE = 24;
 
 export type Box = readonly [number, number, number, number];
 
@@ -68,14 +70,17 @@ export class Viewport extends Emitter<{ change: void }> {
     this.moveTo(...this.framing([x - room, y - room, x + room, y + room], 1), true);
   }
 
-  /** Moves the view so that a box is visible, if it is not. Its middle is not visible below a card in the lower left corner, which reaches to `right` and `top`. */
+  /** Moves the view so that a box is visible, if it is not. One whose middle is behind the card, which reaches from the lower left corner to `right` and `top`, slides up above it. */
   reveal(box: Box, card: { right: number; top: number }): void {
     const { left, right, top, bottom } = this.insets;
     const x0 = this.x + box[0] * this.scale, x1 = this.x + box[2] * this.scale;
     const y0 = this.y - box[3] * this.scale, y1 = this.y - box[1] * this.scale;
-    const isBelow = (x0 + x1) / 2 < card.right && (y0 + y1) / 2 > card.top;
-    const within = !isBelow && x0 >= left && x1 <= this.width - right && y0 >= top && y1 <= this.height - bottom;
-    if (within) return;
+    const within = x0 >= left && x1 <= this.width - right && y0 >= top && y1 <= this.height - bottom;
+    if (within) {
+      const isBehind = (x0 + x1) / 2 < card.right && (y0 + y1) / 2 > card.top;
+      if (isBehind) this.moveTo(this.scale, this.x, this.y + card.top - ABOVE - y1, true);
+      return;
+    }
     const cx = (left + this.width - right) / 2, cy = (top + this.height - bottom) / 2;
     this.moveTo(this.scale, cx - ((box[0] + box[2]) / 2) * this.scale, cy + ((box[1] + box[3]) / 2) * this.scale, true);
   }
