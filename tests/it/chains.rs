@@ -381,7 +381,8 @@ fn chains_beside_moving_pierce_are_as_good_as_every_choice() {
             brute_with(&sheet, &machine, &problem, 0.375, start),
         );
         let found = plan.summary.total_time;
-        assert!(least <= found + 1e-6 && found <= most + 1e-6, "seed {seed}: {least} {found} {most}");
+        // An entry that nothing joins slides between its nodes, which are all that brute force knows.
+        assert!(least <= found + 1e-4 && found <= most + 1e-6, "seed {seed}: {least} {found} {most}");
         assert_eq!(plan.summary.pierces, 0);
         assert_eq!(plan.summary.moving_starts + plan.summary.chains, 4);
         joined += plan.summary.chains;

@@ -138,6 +138,13 @@ pub(super) struct EntryConfig {
     pub(super) slide_least_gain: f64,
     /// Steps of the golden section search: they narrow two spacings to 6 nm.
     pub(super) golden_steps: usize,
+    /// Most stops that slide together, over all passes: a tenth of a second. Up to 2,000 stops have all the passes they
+    /// need.
+    pub(super) most_together: usize,
+    /// A pass that gains a smaller share of the cost than this halves the step.
+    pub(super) pass_least_gain: f64,
+    /// Shortest step of stops that slide together, mm: a shorter one saves less than a microsecond on any machine.
+    pub(super) least_step: f64,
 }
 
 /// The search over child routes, see `children`.
@@ -202,6 +209,9 @@ impl SearchConfig {
             slide_rounds: 4,
             slide_least_gain: 1e-7,
             golden_steps: 26,
+            most_together: 100_000,
+            pass_least_gain: 1e-9,
+            least_step: 1e-6,
         },
         longest_chain: 3,
         table_nodes: 400,

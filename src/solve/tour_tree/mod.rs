@@ -41,6 +41,8 @@ mod ring;
 mod ring_in_gap;
 mod rows;
 mod ruin_recreate;
+mod slide;
+mod slide_together;
 mod small_instances;
 mod snapshot;
 mod space;

@@ -2,10 +2,12 @@
 
 use super::super::config::CONFIG;
 use super::super::index::index;
-use super::super::polish::Slide;
+use super::super::slide::Slide;
+use super::super::slide_together::{Base, slide_together};
 use super::super::space::Space;
 use super::tree::Tree;
 use crate::solve::Solution;
+use std::iter::successors;
 
 /// The solution of the routes, with exact entries.
 pub(super) fn polished(space: &Space, tree: &Tree) -> Solution {
@@ -42,7 +44,29 @@ pub(super) fn polished(space: &Space, tree: &Tree) -> Solution {
         }
         cost = now;
     }
-    solution(&slides)
+    let together = slid_together(space, tree, &slides);
+    let ordered = (0..space.home).all(|item| in_order(space, tree, &together, item));
+    solution(if ordered { &together } else { &slides })
+}
+
+/// The same with the stops of each route slid together, whatever their order along their items.
+fn slid_together<'p>(space: &Space<'p>, tree: &Tree, slides: &[Option<Slide<'p>>]) -> Vec<Option<Slide<'p>>> {
+    let mut together = slides.to_vec();
+    for start in (space.home..=2 * space.home).filter(|&t| tree.is_live(t)) {
+        let touches: Vec<u32> =
+            successors(Some(tree.next(start)), |&t| Some(tree.next(t))).take_while(|&t| t != start).collect();
+        let mut stops: Vec<Slide> = touches.iter().filter_map(|&t| together[t as usize].clone()).collect();
+        // An anchor stays: its route leaves it and comes back.
+        let base = slides[start as usize].as_ref().map_or(
+            Base { at: space.problem.home, closed: space.problem.closed },
+            |anchor| Base { at: anchor.exit, closed: true },
+        );
+        slide_together(space, base, &mut stops);
+        for (&t, stop) in touches.iter().zip(stops) {
+            together[t as usize] = Some(stop);
+        }
+    }
+    together
 }
 
 /// Whether the anchors of an item are in the same order along it as before.

@@ -1,6 +1,8 @@
 //! The search against brute force on small problems of every kind; gains and precedence are asserted on every kick
 //! by the debug assertions of `anneal`.
 
+mod slide;
+
 use super::*;
 use crate::geometry::{Arc, DVec2, Path, Segment};
 use crate::machine::{self, AirTime, ClosedRun};
@@ -112,7 +114,7 @@ fn reaches_the_optimum_of_small_problems_of_every_kind() {
 }
 
 /// Circles of radius 10 in a row, entered anywhere.
-fn circles(centers: &[DVec2]) -> Problem {
+pub(super) fn circles(centers: &[DVec2]) -> Problem {
     let mut nodes = Vec::new();
     let items = (0..).zip(centers).map(|(item, &c)| {
         let path = Path::new(vec![Segment::Arc(Arc::circle(c, 10.0))], true);
