@@ -164,8 +164,13 @@ describe('the progress line', () => {
 
   it('shows job time, gap and seconds left of the budget that ends first', () => {
     const left = (budget) => /(\d+) s left/.exec(progressLine(progress, budget, 'a.dxf', alone))?.[1];
-    assert.equal(progressLine(progress, { seconds: 8 }, 'a.dxf', alone), '[########........]  job 83.2 s  gap 3.1 %  4 s left  500 k moves/s');
+    assert.equal(progressLine(progress, { seconds: 8 }, 'a.dxf', alone), '[########........]  job 83.2 s  gap 3.2 %  4 s left  500 k moves/s');
     assert.deepEqual([{}, { moves: 3_000_000 }, { moves: 3_000_000, workers: 2 }, { seconds: 5, moves: 9e9 }, { seconds: 1 }].map(left), ['6', '2', '8', '1', '0']);
+  });
+
+  it('shows no gap of 0.00 %: one that is left is rounded up, and where none is, the path is optimal', () => {
+    const shown = (gap) => progressLine({ ...progress, summary: { total_time: 83.2, gap } }, { moves: 9 }, 'a.dxf', alone).split('  ')[2];
+    assert.deepEqual([2e-6, 0.00304, 1e-7, 0].map(shown), ['gap 0.01 %', 'gap 0.31 %', 'proven optimal', 'proven optimal']);
   });
 
   it('shows which of several files it is, and omits unknown values', () => {

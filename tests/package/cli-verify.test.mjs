@@ -6,7 +6,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { it } from 'node:test';
 import { Ajv2020 } from 'ajv/dist/2020.js';
-import { circle, dxf, folder, kerfway, ROOT } from './support.mjs';
+import { circle, dxf, folder, kerfway, line, ROOT } from './support.mjs';
 
 /** A folder with a drawing of twelve holes, and the path of a file in it. */
 function workshop(t) {
@@ -60,6 +60,15 @@ it('where the path is proven optimal, the certificate proves all of it', async (
   assert.equal(code, 0, stderr);
   const { seconds } = JSON.parse(readFileSync(at('verified.json'), 'utf8'));
   assert.ok(seconds <= summary.total_time && seconds >= summary.total_time * (1 - 1e-6), `${seconds} of ${summary.total_time}`);
+});
+
+it('a path of a few holes is proven optimal where the axes of a machine take different times, too', async (t) => {
+  const at = workshop(t);
+  const holes = [[268.569, 171.652, 4.452], [42.067, 153.68, 9.888], [194.13, 69.302, 8.848], [177.768, 112.993, 5.267], [131.974, 82.965, 9.784], [135.662, 62.919, 4.287]];
+  const sides = [line(0, 0, 300, 0), line(300, 0, 300, 200), line(300, 200, 0, 200), line(0, 200, 0, 0)];
+  writeFileSync(at('plate.dxf'), dxf(...sides, ...holes.map((hole) => circle(...hole))));
+  const shown = await certified(at, 'optimal.json', '--machine', 'fibre-3kw-thin', '--moves', '400000', '--bound-work', '400');
+  assert.match(shown, /^Optimum {4}this path is proven optimal$/m);
 });
 
 it('a certificate by shares of an earlier version is verified', async (t) => {

@@ -13,7 +13,7 @@ import { complain } from './safe-text.js';
 import { planFiles } from './planning.js';
 import type { Column } from './report.js';
 import { savingLines, savingsOf } from './savings.js';
-import { duration, percent, meters, plural, skeletonLines, unitOf } from './words.js';
+import { duration, meters, percentAtMost, plural, skeletonLines, unitOf } from './words.js';
 
 const OUTPUTS: readonly (OutputKind | 'report' | 'certificate')[] = ['json', 'gcode', 'svg', 'dxf', 'png', 'lbrn2', 'rd', 'remainder', 'report', 'certificate'];
 
@@ -66,7 +66,7 @@ function row(file: string, loaded: Loaded, { progress: { summary: s }, baselines
     meters(s.cut_length),
     duration(s.total_time),
     duration(baselines.drawing.total_time),
-    s.gap === null ? '' : s.gap <= PROVEN ? 'proven' : percent(s.gap),
+    s.gap === null ? '' : s.gap <= PROVEN ? 'proven' : percentAtMost(s.gap),
     String(notableFindings(loaded)),
   ];
 }
@@ -87,7 +87,7 @@ function lines(file: string, loaded: Loaded, result: PlanResult, { machine, work
       `machine ${(machine as MachineProfile).name}`,
   ];
   if (s.gap !== null) {
-    text.push(`Optimum    ${s.gap <= PROVEN ? 'this path is proven optimal' : `at least ${duration(s.lower_bound)}: this path takes at most ${percent(s.gap)} longer`}`);
+    text.push(`Optimum    ${s.gap <= PROVEN ? 'this path is proven optimal' : `at least ${duration(s.lower_bound)}: this path takes at most ${percentAtMost(s.gap)} longer`}`);
   }
   for (const { message } of result.findings.filter((f) => f.code === 'off-bed')) text.push(`Bed        ${message}`);
   if (loaded.units.doubtful) text.push(`Units      ${unitOf(loaded.units)}, in doubt: ${loaded.units.reason}`);

@@ -1,10 +1,11 @@
 /** The progress line on a terminal: how far the search is, the time of the job, the gap to the lower bound, the time left. */
 
+import { PROVEN } from '../gap.js';
 import { DEFAULT_SECONDS } from '../options.js';
 import type { PlanOptions, Progress } from '../protocol.js';
 import type { Place } from './batch.js';
 import { visible } from './safe-text.js';
-import { duration, percent } from './words.js';
+import { duration, percentAtMost } from './words.js';
 
 const BAR = 16;
 
@@ -18,7 +19,7 @@ export function progressLine({ seconds, moves, rate, summary }: Progress, budget
     of > 1 ? `${index + 1}/${of} ${visible(file)}` : '',
     `[${'#'.repeat(filled)}${'.'.repeat(BAR - filled)}]`,
     `job ${duration(summary.total_time)}`,
-    summary.gap === null ? '' : `gap ${percent(summary.gap)}`,
+    summary.gap === null ? '' : summary.gap <= PROVEN ? 'proven optimal' : `gap ${percentAtMost(summary.gap)}`,
     left === null ? '' : `${left.toFixed(0)} s left`,
     `${pace} moves/s`,
   ].filter(Boolean).join('  ');

@@ -19,6 +19,12 @@ export function percent(share: number): string {
   return `${(100 * share).toFixed(share < 0.01 ? 2 : 1)} %`;
 }
 
+/** A ratio that is not exceeded: the same, rounded up, so that 0.000001 is "0.01 %". */
+export function percentAtMost(share: number): string {
+  const parts = share < 0.01 ? 1e4 : 1e3;
+  return percent(Math.ceil(share * parts) / parts);
+}
+
 /** Width and height of a box in mm. */
 export function size([x0, y0, x1, y1]: [number, number, number, number]): string {
   return `${(x1 - x0).toFixed(1)} x ${(y1 - y0).toFixed(1)} mm`;
