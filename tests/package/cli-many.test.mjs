@@ -52,6 +52,13 @@ describe('several drawings', () => {
     }
   });
 
+  it('a drawing that is read and cannot be planned is reported in a sentence, and the others go on', async (t) => {
+    const at = drawings(t, ['a.dxf', 'b.dxf']);
+    const { code, stderr } = await kerfway('plan', join(at, 'a.dxf'), join(at, 'b.dxf'), ...QUICK, '--set', 'particles=9');
+    assert.equal(code, 5);
+    assert.match(stderr, /^kerfway: \S+a\.dxf: Only methods from papers have parameters\.\nkerfway: \S+b\.dxf: Only methods from papers have parameters\.\n$/);
+  });
+
   it('the exit code is 1 for one unusable file, 5 if all of several failed, and 3 if no output can be written', async (t) => {
     const at = drawings(t, ['a.dxf', 'c.dxf'], { 'b.dxf': BROKEN });
     assert.equal((await kerfway('inspect', join(at, 'b.dxf'))).code, 1);

@@ -131,7 +131,7 @@ async function searched(planner: Planner, options: PlanOptions, proving: ProofBu
   process.once('SIGINT', stop);
   try {
     // Errors of the plan come first: what cannot be planned cannot be proven either.
-    await plan.started;
+    await Promise.race([plan.started, plan.done]);
     prover = proving === null ? null : planner.prove(proving);
     const [result, proof] = await Promise.all([plan.done, prover?.done ?? null]);
     const summary = bounded(result.progress.summary, proof?.seconds ?? 0);
