@@ -85,7 +85,7 @@ describe('tolerances', () => {
   });
 
   it('are refused out of range, by the names of the command line', async () => {
-    for (const [option, value, words] of [['--join-tolerance', '9', /--join-tolerance is 9/], ['--curve-tolerance', '0', /--curve-tolerance is 0/], ['--copy-tolerance', 'x', /--copy-tolerance x: give a number/]]) {
+    for (const [option, value, words] of [['--join-tolerance', '9', /--join-tolerance 9: give a number/], ['--curve-tolerance', '0', /--curve-tolerance 0: give a number/], ['--copy-tolerance', 'x', /--copy-tolerance x: give a number/]]) {
       const { code, stderr } = await piped(gap, 'inspect', '-', option, value);
       assert.equal(code, 2);
       assert.match(stderr, words);

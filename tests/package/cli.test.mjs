@@ -156,14 +156,32 @@ describe('kerfway', () => {
     [['solve', 'a.tsp', 'b.tsp'], /b\.tsp is one too many/],
     [['completion'], /Name a shell/],
     [['completion', 'csh'], /completion csh: choose one of bash, zsh, fish/],
-    [['plan', 'a.dxf', '--colour', 'red'], /no option --colour/],
-    [['plan', 'a.dxf', '--seconds', '-1'], /--seconds needs a value/],
+    [['plan', 'a.dxf', '--colour', 'red'], /kerfway plan has no option --colour\.\nRun kerfway help plan for its options\.$/m],
+    [['plan', 'a.dxf', '--secnds', '5'], /no option --secnds\. Did you mean --seconds\?$/m],
+    [['plan', 'a.dxf', '--seconds', '-1'], /--seconds needs a value\. A negative one is written --seconds=-1\.$/m],
+    [['plan', 'a.dxf', '--seconds'], /--seconds needs a value\.$/m],
+    [['plan', 'a.dxf', '--gcode', ''], /--gcode needs a value\.$/m],
+    [['plan', ''], /The name of a file is empty\.$/m],
+    [['plan', 'a.dxf', '--lead', 'arc', '--lead-radius', '0'], /--lead-radius 0: give a number from 0\.01 to 1000 mm: a lead/],
+    [['plan', 'a.dxf', '--lead-angle', '500'], /--lead-angle 500: give a number from 0\.573 to 180 degrees: /],
+    [['plan', 'a.dxf', '--lead', 'arc', '--lead-center-below=-5'], /--lead-center-below -5: give a number from 0/],
+    [['plan', 'a.dxf', '--joint-spacing=-5'], /--joint-spacing -5: give a number from 1 to 1000000 mm: /],
+    [['plan', 'a.dxf', '--skeleton', '200,5'], /--skeleton 200,5: give a number from 10 to 100000 mm: smaller/],
+    [['plan', 'a.dxf', '--heat', '5,1e9'], /--heat 5,1e9: give a number from 0 to 600 s: /],
+    [['plan', 'a.dxf', '--shift-parts', '1e9'], /--shift-parts 1e9: give a number from 0 to 100 mm: /],
+    [['plan', 'a.dxf', '--place', 'center@1e9,5'], /--place center@1e9,5: give a number from -1000000 to 1000000 mm: /],
+    [['plan', 'a.dxf', '--workers', '0'], /--workers 0: give a whole number from 1 to 64: /],
+    [['plan', 'a.dxf', '--bound=-1'], /--bound -1: give a number from 0 to 604800 s: /],
+    [['plan', 'a.dxf', '--layer', 'X=mark', '--layer', 'Y=cut,min-power=9'], /--layer Y=cut,min-power=9: min-power is 9\. Give a number from 0 to 1: /],
+    [['plan', 'a.dxf', '--keep-border', '--ignore-border'], /--keep-border and --ignore-border: /],
+    [['quote', 'a.dxf', '--thickness', '1e9'], /--thickness 1e9: give a number from 0\.001 to 1000 mm: /],
+    [['quote', 'a.dxf', '--quantity', '4', '--quantity', '0'], /--quantity 0: give a whole number from 1 to 1000000: /],
     [['plan', 'a.dxf', '--seconds=-1'], /--seconds -1: give a number of seconds/],
     [['plan', 'a.dxf', '--moves', '1.5'], /--moves 1\.5: give a whole number/],
     [['plan', 'a.dxf', '--seed', 'x'], /--seed x: give a whole number/],
     [['plan', 'a.dxf', '--json', '-', '--svg', '-'], /--json and --svg cannot both/],
     [['plan', 'a.dxf', '--layer', 'cut'], /--layer cut: write NAME=cut/],
-    [['plan', 'a.dxf', '--layer', 'X=burn'], /--layer burn: choose one of cut, mark, ignore/],
+    [['plan', 'a.dxf', '--layer', 'X=burn'], /--layer X: burn: choose one of cut, mark, ignore/],
     [['plan', 'a.dxf', '--units', 'miles'], /--units miles: choose one of mm/],
     [['plan', fixture(KEYBOARD), '--machine', 'plasma'], /--machine plasma: choose one of co2-100w/],
     [['plan', fixture(KEYBOARD), '--method', 'luck'], /--method luck: choose one of/],
@@ -186,6 +204,22 @@ describe('kerfway', () => {
       assert.equal(stderr.trim().split('\n').length, 2);
     });
   }
+
+  it('a failure is a document for a program that reads JSON, whatever has failed', async (t) => {
+    const machine = file(t, 'machine.json', '{"name":"mine"}');
+    for (const [args, exit, code] of [
+      [['plan', fixture(KEYBOARD), '--machine', machine], 1, 'missing-field'],
+      [['plan', fixture(KEYBOARD), '--machine', 'none.json'], 1, 'unreadable-file'],
+      [['verify', 'none.json'], 1, 'unreadable-file'],
+      [['solve', 'none.tsp'], 1, 'unreadable-file'],
+      [['calibrate', 'none.json=5'], 1, 'unreadable-file'],
+      [['calibrate', 'none.json'], 2, 'wrong-usage'],
+    ]) {
+      const run = await kerfway(...args, '--json', '-');
+      const { schema, error } = JSON.parse(run.stdout);
+      assert.deepEqual([run.code, schema, error.code], [exit, 'kerfway.error/1', code], args.join(' '));
+    }
+  });
 
   const unusable = [
     ['nothing', '', /empty/i],

@@ -77,7 +77,7 @@ describe('micro-joints', () => {
     assert.equal((await plan('--joint-at', '0@0.125', '--joint-at', '1@0.5')).plan.summary.joints, 2);
     for (const [wrong, says] of [
       [['--joint-at', '0@2'], /--joint-at 0@2: give the id of a contour/], [['--joint-size-max', '5,x'], /give one length in mm/],
-      [['--joint-width', '0'], /joints\.rules\[0\]\.width/], [['--joint-kind', 'soft'], /--joint-kind/],
+      [['--joint-width', '0'], /--joint-width 0: give a number/], [['--joint-kind', 'soft'], /--joint-kind/],
     ]) {
       const ran = await plan(...wrong);
       assert.equal(ran.code, 2, ran.stderr);

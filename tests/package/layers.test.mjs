@@ -50,10 +50,10 @@ describe('layers and passes', () => {
     writeFileSync(join(at, 'a.dxf'), DRAWING);
     for (const [words, status, sentence] of [
       [['--layer', '0=cut,speed'], 2, /write NAME=cut, NAME=mark or NAME=ignore, and settings after commas/],
-      [['--layer', '0=cut,sped=3'], 2, /setting sped: choose one of speed, power, min-power, passes, z-step/],
+      [['--layer', '0=cut,sped=3'], 2, /setting sped: choose one of speed, power, min-power, passes, z-step, air/],
       [['--layer', '0=cut,speed=fast'], 2, /speed is "fast"\. Give a number/],
       [['--layer', '0=cut,air=maybe'], 2, /air maybe: choose one of on, off/],
-      [['--layer', '0=cut,passes=1.5'], 1, /passes" is 1\.5\. Give a whole number/],
+      [['--layer', '0=cut,passes=1.5'], 2, /passes is 1\.5\. Give a whole number/],
       [['--material', 'oak'], 1, /The machine co2-100w has no setting for the material "oak"\. Its library is empty/],
     ]) {
       const { code, stderr } = await kerfway('plan', join(at, 'a.dxf'), ...QUICK, '--json', join(at, 'a.json'), ...words);

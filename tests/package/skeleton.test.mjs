@@ -116,7 +116,7 @@ describe('skeleton cuts', () => {
     const plain = await plan('--remainder', join(at, 'plain.dxf'));
     assert.deepEqual([plain.code, existsSync(join(at, 'plain.dxf')), plain.plan.summary.skeleton_cuts], [0, true, undefined]);
     for (const [wrong, says] of [
-      [['--skeleton', '5'], /skeleton\.spacing_x/], [['--skeleton', '1,2,3'], /give one length in mm for x and y/],
+      [['--skeleton', '5'], /--skeleton 5: give a number from 10/], [['--skeleton', '1,2,3'], /give one length in mm for x and y/],
       [['--skeleton-joints', '100'], /Ask for them with --skeleton or --keep-strip/],
     ]) {
       const ran = await plan(...wrong);

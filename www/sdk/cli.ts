@@ -47,20 +47,14 @@ process.stdout.on('error', (error: NodeJS.ErrnoException) => {
 try {
   await main(process.argv.slice(2));
 } catch (error) {
-  const message = error instanceof Error ? error.message : String(error);
-  if (error instanceof WrongUse) {
-    complain(message);
-    const [, ...words] = process.argv.slice(2);
-    // A program that reads JSON gets the reason as JSON, too.
-    if (words.some((word, k) => word === '--json=-' || (word === '--json' && words[k + 1] === '-'))) {
-      await print(failureDocument(null, new KerfwayError('wrong-usage', message).toJSON())).catch(() => {});
-    }
-    process.stderr.write('Run kerfway --help for the options.\n');
-    process.exitCode = EXIT.wrongUse;
-  } else if (error instanceof Unusable) {
-    complain(message);
-    process.exitCode = error.exit;
-  } else {
-    throw error;
+  if (!(error instanceof WrongUse) && !(error instanceof Unusable)) throw error;
+  complain(error.message);
+  const [command = '', ...words] = process.argv.slice(2);
+  // A program that reads JSON gets the reason as JSON, too.
+  if (words.some((word, k) => word === '--json=-' || (word === '--json' && words[k + 1] === '-'))) {
+    const report = error instanceof Unusable ? error.report : new KerfwayError('wrong-usage', error.message).toJSON();
+    await print(failureDocument(null, report)).catch(() => {});
   }
+  if (error instanceof WrongUse) process.stderr.write(Object.hasOwn(COMMANDS, command) ? `Run kerfway help ${command} for its options.\n` : 'Run kerfway help for the commands.\n');
+  process.exitCode = error instanceof Unusable ? error.exit : EXIT.wrongUse;
 }

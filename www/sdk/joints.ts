@@ -44,7 +44,7 @@ const isAny = ([x, y]: readonly [number, number]) => x === 0 && y === 0;
 export function jointRules(settings: Partial<JointPattern> = {}): Joints {
   const s = { ...DEFAULT_JOINTS, ...settings };
   const rule: JointRule = { count: s.count, width: s.width, corner_clearance: s.cornerClearance, kind: s.kind };
-  if (s.spacing > 0) rule.spacing = s.spacing;
+  if (s.spacing !== 0) rule.spacing = s.spacing;
   if (s.side !== 'both') rule.side = s.side;
   if (!isAny(s.sizeMin)) rule.size_min = [...s.sizeMin];
   if (!isAny(s.sizeMax)) rule.size_max = [...s.sizeMax];

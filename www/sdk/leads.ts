@@ -40,7 +40,7 @@ export const DEFAULT_LEADS: Readonly<LeadChoice> = {
 export function leadRules(settings: Partial<LeadChoice> = {}): Leads {
   const s = { ...DEFAULT_LEADS, ...settings };
   const shape = (kind: LeadKind): LeadShape => ({ kind, length: s.length, radius: s.radius, angle: (s.angle * Math.PI) / 180 });
-  const small = s.centerBelow > 0 && s.kind !== 'none'
+  const small = s.centerBelow !== 0 && s.kind !== 'none'
     ? [{ side: 'hole' as const, diameter_below: s.centerBelow, lead_in: shape('center'), overcut: s.overcut }] : [];
   return { clearance: s.clearance, rules: [...small, { lead_in: shape(s.kind), lead_out: shape(s.out), position: s.position, overcut: s.overcut }] };
 }

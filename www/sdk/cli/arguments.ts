@@ -2,10 +2,12 @@
 
 import { parseArgs } from 'node:util';
 import { ANCHORS, pointOf } from '../anchors.js';
+import { nearest } from '../check.js';
 import { CORNER_KINDS } from '../corners.js';
 import { checkOptions } from '../options.js';
 import { LEAD_KINDS } from '../leads.js';
 import type { ContourChoice, LayerChoice, LoadOptions, MachineProfile, Operation, Place, PlanOptions } from '../protocol.js';
+import { checkedAsWritten } from './as-written.js';
 import { COMMON_CUTS, GROUPS, OPERATIONS, optionsOf, PASS_ORDERS, STARTS, TURNS, UNITS } from './commands.js';
 import { WrongUse } from './io.js';
 
@@ -41,33 +43,31 @@ function words(command: string, args: string[]): Words {
   );
   try {
     const { values, positionals } = parseArgs({ args, options, allowPositionals: true, strict: true });
+    // A variable of a shell that is not set.
+    if (positionals.includes('')) throw new WrongUse('The name of a file is empty.');
+    const [empty] = Object.entries(values).find(([, value]) => [value].flat().includes('')) ?? [];
+    if (empty !== undefined) throw new WrongUse(`--${empty} needs a value.`);
     return { words: positionals, values: values as Values };
   } catch (error) {
     if (error instanceof WrongUse) throw error;
     const { code, message } = error as NodeJS.ErrnoException;
     const name = /--?[\w-]+/.exec(message)?.[0] ?? 'An option';
-    if (code === 'ERR_PARSE_ARGS_UNKNOWN_OPTION') throw new WrongUse(`There is no option ${name}.`);
-    const flag = options[name.slice(2)]?.type === 'boolean';
-    throw new WrongUse(flag ? `${name} takes no value.` : `${name} needs a value.`);
+    if (code === 'ERR_PARSE_ARGS_UNKNOWN_OPTION') throw new WrongUse(`kerfway ${command} has no option ${name}.${meant(name, Object.keys(options))}`);
+    if (options[name.slice(2)]?.type === 'boolean') throw new WrongUse(`${name} takes no value.`);
+    const next = args[args.indexOf(name) + 1];
+    throw new WrongUse(`${name} needs a value.${next !== undefined && /^-[\d.]/.test(next) ? ` A negative one is written ${name}=${next}.` : ''}`);
   }
+}
+
+function meant(name: string, known: readonly string[]): string {
+  const near = nearest(name, known.map((option) => `--${option}`));
+  return near === null ? '' : ` Did you mean ${near}?`;
 }
 
 /** The argument of a command that takes exactly one. */
 export function oneWord({ words: [word = '', second] }: Words): string {
   if (second !== undefined) throw new WrongUse(`Only one is allowed: ${second} is one too many.`);
   return word;
-}
-
-/** Refuses values that are out of range, with the names that the command line has for the options. */
-function checkAsWritten(options: LoadOptions): void {
-  try {
-    checkOptions(options, 'load');
-  } catch (error) {
-    const message = (error as Error).message;
-    const [, name] = /^The option "(\w+)"/.exec(message) ?? [];
-    const written = TOLERANCES.find(([, option]) => option === name)?.[0] ?? name;
-    throw new WrongUse(message.replace(/^The option "\w+"/, `--${written}`));
-  }
 }
 
 /** Options of distances, with the names that the API has for them. */
@@ -83,7 +83,6 @@ export function loadOptions(values: Values): LoadOptions {
     const tolerance = number(values, name);
     if (tolerance !== undefined) options[option] = tolerance;
   }
-  checkAsWritten(options);
   const layers = (values['layer'] as string[] | undefined) ?? [];
   if (layers.length > 0) options.layers = layers.map(layerChoice);
   const groups = (values['group'] as string[] | undefined) ?? [];
@@ -93,6 +92,7 @@ export function loadOptions(values: Values): LoadOptions {
       return { name: oneOf('--group', name, GROUPS), operation };
     });
   }
+  if (values['keep-border'] === true && values['ignore-border'] === true) throw new WrongUse('--keep-border and --ignore-border: the border is cut or it is not. Give one of them.');
   if (values['keep-border'] === true) options.keepBorder = true;
   if (values['ignore-border'] === true) options.ignoreOutline = true;
   const turn = text(values, 'turn');
@@ -115,7 +115,7 @@ export function loadOptions(values: Values): LoadOptions {
   if (joints.length > 0) options.joints = joints.map(jointChoice);
   const choices = contourChoices(values);
   if (choices.length > 0) options.contours = choices;
-  return options;
+  return checkedAsWritten(values, () => (checkOptions(options, 'load'), options));
 }
 
 /** `ID=N` and `ID=KIND`: what is decided for single contours. */
@@ -149,7 +149,7 @@ export function placingOptions(values: Values, machine: MachineProfile): PlanOpt
   const start = text(values, 'start');
   if (start !== undefined) options.start = oneOf('--start', start, STARTS);
   if (values['allow-off-bed'] === true) options.allowOffBed = true;
-  return options;
+  return checkedAsWritten(values, () => (checkOptions(options, 'planning'), options));
 }
 
 /** `POINT@PLACE`: each is a named point or coordinates. */
@@ -187,11 +187,12 @@ function layerChoice(word: string): LayerChoice {
   const found = LAYER.exec(word) ?? /^(.+)=(\w+)()$/s.exec(word);
   if (found === null) throw new WrongUse(`--layer ${word}: write NAME=cut, NAME=mark or NAME=ignore, and settings after commas: NAME=cut,speed=20,passes=2.`);
   const [, name = '', operation = '', rest = ''] = found;
-  const layer: LayerChoice = { name, operation: oneOf('--layer', operation, OPERATIONS) };
+  const layer: LayerChoice = { name, operation: oneOf(`--layer ${name}:`, operation, OPERATIONS) };
   for (const pair of rest.split(',').slice(1)) {
     const [key = '', value = ''] = pair.split('=');
-    if (key === 'air') layer.air = oneOf(`--layer ${word}: air`, value, ['on', 'off']) === 'on';
-    else layer[SETTINGS[oneOf(`--layer ${word}: setting`, key, Object.keys(SETTINGS) as (keyof typeof SETTINGS)[])]] = numberOf(word, key, value);
+    const setting = oneOf(`--layer ${word}: setting`, key, [...(Object.keys(SETTINGS) as (keyof typeof SETTINGS)[]), 'air']);
+    if (setting === 'air') layer.air = oneOf(`--layer ${word}: air`, value, ['on', 'off']) === 'on';
+    else layer[SETTINGS[setting]] = numberOf(word, key, value);
   }
   return layer;
 }

@@ -1,12 +1,14 @@
 /** The machine and the dialect of a command: presets and shipped documents by name, or files of one's own. */
 
 import type { Planner } from '../node.js';
+import { reportOf } from '../errors.js';
 import { checkMachine } from '../options.js';
 import type { Corners, Dialect, Heat, MachineProfile, Tips } from '../protocol.js';
 import { CORNER_KINDS } from '../corners.js';
 import { JOINT_KINDS, JOINT_SIDES, jointRules, SIZE_TESTS, type JointPattern } from '../joints.js';
 import { LEAD_KINDS, LEAD_POSITIONS, leadRules, type LeadChoice } from '../leads.js';
 import { number, oneOf, text, type Words } from './arguments.js';
+import { checkedAsWritten } from './as-written.js';
 import { RISKY_MOVES } from './commands.js';
 import { bytesOf, Unusable, WrongUse } from './io.js';
 
@@ -28,7 +30,7 @@ function withLeads(values: Words['values'], machine: MachineProfile): MachinePro
     ...measured(values, { length: 'lead-length', radius: 'lead-radius', angle: 'lead-angle', clearance: 'lead-clearance', centerBelow: 'lead-center-below', overcut: 'overcut' }),
   };
   // An overcut alone, or a lead-out alone, is no wish for a lead-in.
-  return Object.keys(given).length === 0 ? machine : valid({ ...machine, leads: leadRules({ kind: 'none', ...given }) });
+  return Object.keys(given).length === 0 ? machine : valid(values, { ...machine, leads: leadRules({ kind: 'none', ...given }) });
 }
 
 /** The machine with the joints that the options ask for. */
@@ -40,7 +42,7 @@ function withJoints(values: Words['values'], machine: MachineProfile): MachinePr
   const least = sizes(values, 'joint-size-min'), most = sizes(values, 'joint-size-max');
   if (least !== undefined) given.sizeMin = least;
   if (most !== undefined) given.sizeMax = most;
-  return Object.keys(given).length === 0 ? machine : valid({ ...machine, joints: jointRules(given) });
+  return Object.keys(given).length === 0 ? machine : valid(values, { ...machine, joints: jointRules(given) });
 }
 
 /** The settings that are given as words, by name: each with its option and the words there are. */
@@ -64,9 +66,8 @@ function measured<T extends Record<string, string>>(values: Words['values'], set
 }
 
 /** The machine, if its fields are right; otherwise an option is wrong. */
-function valid(machine: MachineProfile): MachineProfile {
-  checked(() => checkMachine(machine), WrongUse, '');
-  return machine;
+function valid(values: Words['values'], machine: MachineProfile): MachineProfile {
+  return checkedAsWritten(values, () => (checkMachine(machine), machine));
 }
 
 /** A size in x and y: one number for both, or two. */
@@ -120,7 +121,7 @@ function withLevers(values: Words['values'], machine: MachineProfile): MachinePr
   const z_speed = speed ?? machine.z_speed;
   if (levers.lift == null && levers.tips != null && levers.tips.risky_moves !== 'ignore') throw new WrongUse('--tips avoid: the machine does not lift its head. Give the height with --lift, or use --tips ignore.');
   if (levers.lift != null && z_speed == null) throw new WrongUse('--lift: the machine has no speed for lifting the head. Give it with --z-speed.');
-  return valid({ ...machine, levers, ...(z_speed != null && { z_speed }) });
+  return valid(values, { ...machine, levers, ...(z_speed != null && { z_speed }) });
 }
 
 /** The machine with the skeleton cuts that the options ask for. */
@@ -130,7 +131,7 @@ function withSkeleton(values: Words['values'], machine: MachineProfile): Machine
   if (spacing === undefined && Object.keys(given).length === 0) return machine;
   const pieces = spacing && { spacing_x: spacing[0], spacing_y: spacing[1] };
   if (pieces === undefined && given.remainder === undefined && machine.skeleton == null) throw new WrongUse('--skeleton-clearance and --skeleton-joints are for skeleton cuts. Ask for them with --skeleton or --keep-strip.');
-  return valid({ ...machine, skeleton: { ...machine.skeleton, ...pieces, ...given } });
+  return valid(values, { ...machine, skeleton: { ...machine.skeleton, ...pieces, ...given } });
 }
 
 /** What the options say of pieces that may tip: the machine's own with what they change; undefined without such options. */
@@ -191,7 +192,7 @@ async function named(word: string, { machines }: Planner): Promise<MachineProfil
   const content = await json(word, 'a machine profile is an object like those of the presets.') as MachineProfile | { schema: string; profile: MachineProfile } | null;
   // A profile that the page has exported is wrapped in an object with its schema.
   const profile = content !== null && typeof content === 'object' && 'profile' in content ? content.profile : content;
-  checked(() => checkMachine(profile), Unusable, `${word}: `);
+  checkFrom(word, profile);
   return profile as MachineProfile;
 }
 
@@ -201,7 +202,7 @@ async function dialectOf(word: string, machine: MachineProfile, { dialects }: Pl
   if (!isFile(word)) throw unknown('dialect', word, dialects);
   const document = await json(word, 'a dialect is an object like those of kerfway/dialects.');
   if (typeof document !== 'object') throw new Unusable(`${word} holds no dialect: it is an object like those of kerfway/dialects.`);
-  checked(() => checkMachine({ ...machine, dialect: document as Dialect }), Unusable, `${word}: `);
+  checkFrom(word, { ...machine, dialect: document });
   return document as Dialect;
 }
 
@@ -216,12 +217,12 @@ async function json(word: string, remedy: string): Promise<unknown> {
   }
 }
 
-/** Runs a check and turns its error into a failure of the command line. */
-export function checked(check: () => void, Failure: typeof Unusable | typeof WrongUse, where: string): void {
+/** Checks a machine that comes from a file. */
+function checkFrom(file: string, machine: unknown): void {
   try {
-    check();
+    checkMachine(machine);
   } catch (error) {
-    throw new Failure(`${where}${(error as Error).message}`);
+    throw new Unusable(`${file}: ${(error as Error).message}`, reportOf(error));
   }
 }
 

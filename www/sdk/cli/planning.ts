@@ -9,9 +9,10 @@ import { createPlanner, type Planner, type PlanResult } from '../node.js';
 import type { Loaded, MachineProfile, PlanOptions, Proof, ProofBudget } from '../protocol.js';
 import type { ProofHandle } from '../prover.js';
 import { loadOptions, number, oneOf, parameters, placingOptions, seconds, text, whole, type Words } from './arguments.js';
-import { checked, machineFiles, machineOf } from './machine.js';
+import { machineFiles, machineOf } from './machine.js';
+import { checkedAsWritten } from './as-written.js';
 import { eachFile, type Requested, type Outlet, type Place } from './batch.js';
-import { nameOf, Unusable, usable, WrongUse } from './io.js';
+import { nameOf, Unusable, usable } from './io.js';
 import { opened } from './opened.js';
 import { progressLine } from './progress.js';
 import { complain } from './safe-text.js';
@@ -37,7 +38,7 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
   const load = loadOptions(values);
   const [moves, workers, seed] = ['moves', 'workers', 'seed'].map((name) => whole(values, name));
   const budget = given({ seconds: seconds(values), moves, workers, seed });
-  checked(() => checkOptions(budget, 'planning'), WrongUse, '');
+  checkedAsWritten(values, () => checkOptions(budget, 'planning'));
   const proving = proofBudget(words, requested.outputs, budget);
   const planner = await createPlanner();
   try {
@@ -113,7 +114,7 @@ function proofBudget({ values }: Words, outputs: Requested['outputs'], search: P
     return search.moves !== undefined && search.seconds === undefined ? { work: Math.max(1, Math.round(search.moves / MOVES_PER_WORK)) } : { seconds: search.seconds ?? DEFAULT_SECONDS };
   }
   const budget = given({ seconds, work });
-  checked(() => checkOptions(budget, 'prove'), WrongUse, '');
+  checkedAsWritten(values, () => checkOptions(budget, 'prove'), { seconds: 'bound' });
   return budget;
 }
 

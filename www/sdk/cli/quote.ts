@@ -7,6 +7,7 @@ import type { Limits, Material, Quote } from '../quote.js';
 import { quoteBudget } from '../quote-budget.js';
 import type { Stock } from '../sheets.js';
 import { parsed, positive, text, type Words } from './arguments.js';
+import { checkedAsWritten } from './as-written.js';
 import { outputsOf } from './destinations.js';
 import { bytesOf, Unusable, usable, WrongUse } from './io.js';
 import { planFiles } from './planning.js';
@@ -61,7 +62,7 @@ function materialOf({ values }: Words): Material {
   if (name !== undefined) material.name = name;
   if (thickness !== undefined) material.thickness = thickness;
   if (density !== undefined) material.density = density;
-  return material;
+  return checkedAsWritten(values, () => (checkOptions({ material }, 'terms'), material));
 }
 
 /** How many are ordered, and of which sheets they are cut. */
@@ -71,7 +72,7 @@ interface Order {
 }
 
 function orderOf({ values }: Words): Order {
-  const quantities = ((values['quantity'] as string[] | undefined) ?? []).map((word) => checked(() => checkQuantity('--quantity', Number(word))));
+  const quantities = ((values['quantity'] as string[] | undefined) ?? []).map((word, k) => checkedAsWritten(values, () => checkQuantity(`quantity[${k}]`, Number(word)), { quantity: 'quantity' }));
   const [sheet, gap] = [text(values, 'sheet'), positive(values, 'gap')];
   if (sheet === undefined) {
     if (gap !== undefined) throw new WrongUse('--gap is for sheets: give their size as well, --sheet 3000x1500.');
@@ -80,7 +81,7 @@ function orderOf({ values }: Words): Order {
   const [, width, height] = /^(\d+(?:\.\d+)?)x(\d+(?:\.\d+)?)$/i.exec(sheet) ?? [];
   if (width === undefined || height === undefined) throw new WrongUse(`--sheet ${sheet}: write the size in mm, for example 3000x1500.`);
   const stock: Stock = { width: Number(width), height: Number(height), ...(gap === undefined ? {} : { gap }) };
-  checked(() => checkStock(stock));
+  checkedAsWritten(values, () => checkStock(stock));
   return { quantities: quantities.length > 0 ? quantities : [1], stock };
 }
 
@@ -102,15 +103,6 @@ async function limitsOf({ values }: Words): Promise<{ limits?: Limits }> {
     return { limits };
   } catch (error) {
     throw new Unusable(error instanceof SyntaxError ? `${file} is not JSON: limits are an object like {"smallest_hole": 3}.` : `${file}: ${(error as Error).message}`, reportOf(error));
-  }
-}
-
-/** Runs a check and turns its error into wrong usage. */
-function checked<T>(check: () => T): T {
-  try {
-    return check();
-  } catch (error) {
-    throw new WrongUse((error as Error).message);
   }
 }
 
