@@ -121,6 +121,7 @@ function sources(quick) {
 function sdk() {
   console.log('build: the npm package');
   run('tsc', ['-p', join(ROOT, 'www', 'sdk')]);
+  typesWithoutMaps();
   cpSync(join(ROOT, 'src', 'machine', 'dialect', 'shipped'), join(SDK, 'dialects'), { recursive: true });
   for (const schema of ['plan.schema.json', 'quote.schema.json', 'dialect.schema.json', 'certificate.schema.json']) cpSync(join(ROOT, 'www', 'sdk', schema), join(SDK, schema));
   for (const types of ['node-types.d.cts', 'portable-types.d.cts']) cpSync(join(ROOT, 'www', 'sdk', types), join(SDK, types));
@@ -132,6 +133,16 @@ function sdk() {
     writeFileSync(join(SDK, script), `export default '${bytes}';\n`);
   }
   globalBuild();
+}
+
+/** A module of types alone has no code, so there is nothing to map: the map would only repeat the types. */
+function typesWithoutMaps() {
+  for (const file of filesIn(SDK).filter((f) => f.endsWith('.js'))) {
+    const [code, map] = readFileSync(file, 'utf8').split('//# sourceMappingURL=');
+    if (map === undefined || code.replace(/\/\*.*?\*\//gs, '').trim() !== 'export {};') continue;
+    writeFileSync(file, code);
+    rmSync(`${file}.map`);
+  }
 }
 
 /** Any server may serve it, so it states its policy itself. */

@@ -81,6 +81,7 @@ describe('baskets and price breaks', () => {
     const report = await quote(dxf(square(0, 0, 10)), { moves: 10, seed: 1 });
     for (const [call, code, field] of [
       [() => basket([{ report: {} }]), 'not-a-quote', 'items[0].report'], [() => basket([{ report, quantity: 0 }]), 'out-of-range', 'items[0].quantity'],
+      [() => basket(null), 'wrong-type', 'items'], [() => priceBreaks(report), 'wrong-type', 'quantities'],
       [() => priceBreaks(report, [1.5]), 'out-of-range', 'quantities[0]'], [() => priceBreaks(report, [1], { stock: { width: 5 } }), 'missing-field', 'height'],
       [() => priceBreaks(report, [1], { stock: { width: 100, height: 100, gpa: 1 } }), 'unknown-field', 'gpa'],
     ]) assert.throws(call, (e) => isKerfwayError(e) && e.code === code && e.params.field === field, field);

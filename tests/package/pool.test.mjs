@@ -92,6 +92,7 @@ describe('calls of a pool', () => {
   });
 
   it('need a size and a queue that are whole numbers', () => {
+    assert.throws(() => createPool({ siz: 2 }), /The pool has no option "siz"\. Did you mean "size"\?/);
     assert.throws(() => createPool({ size: 0 }), /The pool's size is 0\. Give a whole number from 1 on/);
     assert.throws(() => createPool({ size: 1, queue: 0.5 }), /queue is 0\.5/);
   });

@@ -1,6 +1,6 @@
 /** Several quotes together, and one in several quantities: seconds, weight, and an estimate of the sheets. No prices. */
 
-import { check, optional, type Range, type Shape } from './check.js';
+import { check, checkOne, optional, type Range, type Shape } from './check.js';
 import { KerfwayError } from './errors.js';
 import type { Quote } from './quote.js';
 import { sheetsFor, type SheetEstimate, type Stock } from './sheets.js';
@@ -77,6 +77,7 @@ export function checkStock(stock: unknown): void {
 /** Adds up several reports, each multiplied by its quantity. Every figure comes from the reports; only the number of sheets is estimated. */
 export function basket(items: readonly BasketItem[], { stock }: BasketOptions = {}): BasketReport {
   if (stock !== undefined) checkStock(stock);
+  checkOne('The field', 'items', { list: 'any' }, items);
   const lines = items.map(({ report, quantity = 1 }, k) => lineOf(checkReport(report, `items[${k}].report`), checkQuantity(`items[${k}].quantity`, quantity)));
   const weights = lines.map((l) => l.weight);
   return {
@@ -94,6 +95,7 @@ export function basket(items: readonly BasketItem[], { stock }: BasketOptions = 
 export function priceBreaks(report: Quote, quantities: readonly number[], { stock }: BasketOptions = {}): PriceBreak[] {
   if (stock !== undefined) checkStock(stock);
   checkReport(report, 'report');
+  checkOne('The field', 'quantities', { list: 'any' }, quantities);
   return quantities.map((quantity, k) => {
     const line = lineOf(report, checkQuantity(`quantities[${k}]`, quantity));
     return { ...line, sheets: stock === undefined ? null : sheetsFor(boxesOf(report, quantity), stock) };

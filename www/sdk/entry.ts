@@ -21,8 +21,9 @@ export function entry(platform: Platform): Entry {
   const createPlanner = (options: PlannerOptions = {}) => open({ ...configured, ...options });
   return {
     createPlanner,
-    createPool: ({ size = platform.processors(), queue, deadline, ...places } = {}) => {
-      checkPlaces(places);
+    createPool: (options = {}) => {
+      checkPlaces(options, true);
+      const { size = platform.processors(), queue, deadline, ...places } = options;
       return poolOf(() => createPlanner(places), size, queue, deadline);
     },
     configure: (configuration) => {

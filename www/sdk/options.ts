@@ -124,13 +124,16 @@ export function checkProgram(program: unknown): void {
   if (program !== null && typeof program !== 'string') throw new KerfwayError('wrong-type', 'The program is not given as text. Give a string, or the bytes of a file.', { field: 'program' });
 }
 
-/** Where a planner runs and where its files are, as `createPlanner`, `createPool` and `configure` get it. */
-const PLACES = shapeOf('The planner', optional('worker', 'flag'), optional('locate', 'callback'), optional('wasmUrl', 'address'), optional('workerUrl', 'address'),
-  optional('wasm', 'any'), optional('outputsWasm', 'any'), optional('onReplaced', 'callback'));
+/** Where planners run and where their files are, as `createPlanner`, `createPool` and `configure` get it. */
+const PLACES = [optional('worker', 'flag'), optional('locate', 'callback'), optional('wasmUrl', 'address'), optional('workerUrl', 'address'),
+  optional('wasm', 'any'), optional('outputsWasm', 'any'), optional('onReplaced', 'callback')];
+const PLANNER = shapeOf('The planner', ...PLACES);
+/** The numbers of a pool are checked where it is made. */
+const POOL = shapeOf('The pool', optional('size', 'any'), optional('queue', 'any'), optional('deadline', 'any'), ...PLACES);
 
-/** Throws a `KerfwayError` unless these say where a planner runs. */
-export function checkPlaces(options: object): void {
-  check(PLACES, options);
+/** Throws a `KerfwayError` unless these say where a planner runs, and how large a pool is. */
+export function checkPlaces(options: object, isPool = false): void {
+  check(isPool ? POOL : PLANNER, options);
 }
 
 /** The bytes of a file. Throws a `TypeError` for anything else, and a `KerfwayError` unless its name is a text. */

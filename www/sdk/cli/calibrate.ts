@@ -4,8 +4,9 @@ import { createPlanner } from '../node.js';
 import type { Calibration, MeasuredPlan } from '../protocol.js';
 import { parsed } from './arguments.js';
 import { Destinations, outputsOf } from './destinations.js';
-import { bytesOf, print, usable, WrongUse } from './io.js';
+import { bytesOf, usable, WrongUse } from './io.js';
 import { machineOf } from './machine.js';
+import { say } from './report.js';
 import { duration, percent } from './words.js';
 
 export async function calibrate(args: string[]): Promise<void> {
@@ -23,7 +24,7 @@ export async function calibrate(args: string[]): Promise<void> {
     for (const { file, seconds } of jobs) measured.push({ plan: new TextDecoder().decode(await bytesOf(file)), seconds });
     const calibration = await usable(files.join(', '), planner.calibrate(machine, measured));
     await destinations.write(first, outputs.map((output) => ({ output, data: `${JSON.stringify(calibration.machine, null, 2)}\n` })));
-    if (given.values['quiet'] !== true && !destinations.piped) await print(`${lines(calibration, machine).join('\n')}\n`);
+    if (given.values['quiet'] !== true) await say(lines(calibration, machine), destinations.piped);
   } finally {
     planner.close();
   }
@@ -38,7 +39,10 @@ function jobOf(word: string): { file: string; seconds: number } {
 }
 
 function lines({ jobs, machine: now }: Calibration, before: Calibration['machine']): string[] {
-  const off = (planned: number, measured: number) => `${planned >= measured ? '+' : '-'}${percent(Math.abs(planned / measured - 1))}`;
+  const off = (planned: number, measured: number) => {
+    const share = Math.abs(planned / measured - 1);
+    return share < LEAST ? 'the same' : `${planned >= measured ? '+' : '-'}${percent(share)}`;
+  };
   const value = (name: string, from: number | null, to: number | null, unit: string) => `${name.padEnd(20)}${digits(from)} to ${digits(to)} ${unit}`;
   return [
     ...jobs.map((j) => `${j.name}: ${duration(j.measured)} measured; planned ${duration(j.before)} before (${off(j.before, j.measured)}), ${duration(j.after)} after (${off(j.after, j.measured)})`),
@@ -47,5 +51,8 @@ function lines({ jobs, machine: now }: Calibration, before: Calibration['machine
     value('pierce_time', before.pierce_time, now.pierce_time, 's'),
   ];
 }
+
+/** The least difference that two decimals of a per cent show. */
+const LEAST = 0.00005;
 
 const digits = (n: number | null) => (n === null ? 'none' : String(Number(n.toPrecision(4))));

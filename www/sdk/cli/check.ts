@@ -51,10 +51,10 @@ function lines(file: string, report: ProgramCheck, machine: MachineProfile): str
   const bed = fits_bed === null ? 'the bed of this machine is not known' : fits_bed ? 'on the bed' : 'off the bed';
   return [
     `${basename(file)}: ${passed ? 'passes' : 'fails'}, read as ${report.dialect} on ${machine.name}`,
-    `Contours   ${plural(contours, 'contour')}, ${times}; ${plural(parts, 'part')}, ${plural(pierces, 'piercing')}`,
+    contours === 0 ? 'Contours   none' : `Contours   ${plural(contours, 'contour')}, ${times}; ${plural(parts, 'part')}, ${plural(pierces, 'piercing')}`,
     `Length     ${meters(cut_length)} to cut, ${meters(air_length)} of air moves`,
     `Time       ${duration(seconds)}`,
-    `Reach      ${[reach, bed].filter((s) => s !== '').join('; ')}`,
+    ...(bounds === null ? [] : [`Reach      ${reach}; ${bed}`]),
     `Beam       ${dark_rapids ? 'off on every rapid' : 'on during a rapid'}`,
     ...problems.map(problem),
   ];

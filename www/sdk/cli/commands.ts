@@ -80,10 +80,17 @@ const PLANNING: Options = {
   method: { value: 'NAME', about: 'the planning method: see kerfway methods', choices: 'methods' },
   set: { value: 'NAME=VALUE', about: 'a parameter of a method from a paper', repeat: true },
   seconds: { value: 'S', about: 'how long to search each drawing (default 10)' },
-  moves: { value: 'N', about: 'how many moves to search, which gives the same result everywhere' },
+  moves: { value: 'N', about: 'how many moves to search; with a seed, the result is the same everywhere' },
   workers: { value: 'N', about: 'parallel searches that share the best path (default 1)' },
-  seed: { value: 'N', about: 'the seed of all random choices' },
+  seed: { value: 'N', about: 'the seed of all random choices (default: a random one)' },
   'no-return': { about: 'stay at the end of the last cut instead of returning home' },
+};
+
+/** A quote has another default, so that others can make the same report. */
+const QUOTING: Options = {
+  ...PLANNING,
+  seconds: { value: 'S', about: 'how long to search each drawing (default: moves that grow with the number of contours)' },
+  seed: { value: 'N', about: 'the seed of all random choices (default: a random one; 1 without --seconds and --moves)' },
 };
 
 const PROVING: Options = {
@@ -245,7 +252,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
         limits: { value: 'FILE', about: 'a JSON file with the limits of the shop: smallest_hole, smallest_web, hole_to_edge, smallest_part, largest_part, floating_pieces' },
       },
       Output: { json: { value: 'OUT', about: 'the report (kerfway.quote/2)' } },
-      'How to plan': PLANNING,
+      'How to plan': QUOTING,
       'Leads': LEADS,
       'Micro-joints': JOINTS,
       'Levers': LEVERS,
@@ -351,7 +358,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
         seconds: PLANNING['seconds'] as Option,
         moves: PLANNING['moves'] as Option,
         seed: PLANNING['seed'] as Option,
-        json: { value: 'OUT', about: 'length, tour, seconds, moves, lower_bound' },
+        json: { value: 'OUT', about: 'name, length, tour, seconds, moves, seed, lower_bound' },
       },
     },
     examples: [['kerfway solve 107ali535.gtsp --seconds 10', 'the best tour found in ten seconds']],

@@ -13,7 +13,7 @@ import { complain } from './safe-text.js';
 import { planFiles } from './planning.js';
 import type { Column } from './report.js';
 import { savingLines, savingsOf } from './savings.js';
-import { duration, meters, percentAtMost, plural, skeletonLines, unitOf } from './words.js';
+import { duration, elapsed, meters, percentAtMost, plural, skeletonLines, unitOf } from './words.js';
 
 const OUTPUTS: readonly (OutputKind | 'report' | 'certificate')[] = ['json', 'gcode', 'svg', 'dxf', 'png', 'lbrn2', 'rd', 'remainder', 'report', 'certificate'];
 
@@ -82,7 +82,7 @@ function lines(file: string, loaded: Loaded, result: PlanResult, { machine, work
       `(${meters(s.air_length)}), pierce ${duration(s.pierce_time)}`,
     `Before     ${duration(drawing.total_time)} as drawn, ${duration(greedy.total_time)} nearest first`,
     ...skeletonLines(s),
-    `Search     ${result.method}, seed ${result.seed}, ${moves} moves in ${seconds.toFixed(1)} s` +
+    `Search     ${result.method}, seed ${result.seed}, ${moves} moves in ${elapsed(seconds)}` +
       `${workers > 1 ? ` by ${workers} workers` : ''}; ` +
       `machine ${(machine as MachineProfile).name}`,
   ];

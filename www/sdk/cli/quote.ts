@@ -87,8 +87,9 @@ function orderOf({ values }: Words): Order {
 
 function orderLines(q: Quote, { quantities, stock }: Order): string[] {
   return priceBreaks(q, quantities, stock === undefined ? {} : { stock }).map(({ quantity, times, weight, sheets }) => {
-    const sheet = sheets === null ? '' : `, about ${plural(sheets.count, 'sheet')}${sheets.too_large > 0 ? `, ${plural(sheets.too_large, 'part')} too large for one` : ''}`;
-    return `${plural(quantity, 'copy').replace('copys', 'copies').padEnd(10)} ${duration(times.total)}${weight === null ? '' : `, ${grams(weight)}`}${sheet}`;
+    const needed = sheets === null || sheets.count === 0 ? '' : `, about ${plural(sheets.count, 'sheet')}`;
+    const left = sheets === null || sheets.too_large === 0 ? '' : `, ${plural(sheets.too_large, 'part')} too large for a sheet`;
+    return `${plural(quantity, 'copy').replace('copys', 'copies').padEnd(10)} ${duration(times.total)}${weight === null ? '' : `, ${grams(weight)}`}${needed}${left}`;
   });
 }
 

@@ -7,6 +7,7 @@ import { DEFAULT_SECONDS } from '../options.js';
 import { Destinations, outputsOf } from './destinations.js';
 import { bytesOf, Unusable } from './io.js';
 import { say } from './report.js';
+import { elapsed, percentAtMost } from './words.js';
 
 /** Moves between two checks of the clock, which take a few milliseconds. */
 const SLICE = 20_000;
@@ -37,14 +38,14 @@ export async function solve(args: string[]): Promise<void> {
   await destinations.write(file, outputs.map((output) => ({ output, data })));
   await say([
     `${basename(file)}: length ${found.length}, ${found.tour.length} stops; ${proven(found)}`,
-    `Search     seed ${seed}, ${found.moves} moves in ${found.seconds.toFixed(1)} s`,
+    `Search     seed ${seed}, ${found.moves} moves in ${elapsed(found.seconds)}`,
   ], destinations.piped);
 }
 
 function proven({ length, lower_bound: bound }: Solved): string {
   if (bound === null || bound <= 0) return 'no lower bound';
   if (bound >= length) return 'optimal';
-  return `at most ${(((length - bound) / bound) * 100).toFixed(1)} % above the optimum`;
+  return `at most ${percentAtMost((length - bound) / bound)} above the optimum`;
 }
 
 async function searched(file: string, seed: number, moves: number, limit: number): Promise<Solved> {

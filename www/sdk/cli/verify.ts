@@ -44,7 +44,7 @@ async function namedMachine(given: Parameters<typeof machineOf>[0]) {
 /** Without a drawing in the arguments, the file of the certificate's own name beside it. */
 function drawingOf(file: string, certificate: string): string {
   const name = /"drawing":\{"name":("(?:[^"\\]|\\.)*")/.exec(certificate)?.[1];
-  if (name === undefined) throw new Unusable(`${file} names no drawing. Give the drawing after the certificate.`);
+  if (name === undefined) throw new Unusable(`${file} names no drawing: either it is no certificate, or give its drawing after it.`);
   return join(dirname(file), JSON.parse(name) as string);
 }
 

@@ -19,6 +19,11 @@ export function percent(share: number): string {
   return `${(100 * share).toFixed(share < 0.01 ? 2 : 1)} %`;
 }
 
+/** The seconds that a search took: below one second in whole milliseconds, of which there is at least one. */
+export function elapsed(s: number): string {
+  return s < 0.9995 ? `${Math.max(1, Math.round(s * 1000))} ms` : `${s.toFixed(1)} s`;
+}
+
 /** A ratio that is not exceeded: the same, rounded up, so that 0.000001 is "0.01 %". */
 export function percentAtMost(share: number): string {
   const parts = share < 0.01 ? 1e4 : 1e3;

@@ -1,0 +1,62 @@
+// What the command line reports to people: no rounding to nothing, no sentence about what is not there.
+
+import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, it } from 'node:test';
+import { elapsed } from '../../dist/sdk/cli/words.js';
+import { dxf, folder, kerfway, square } from './support.mjs';
+
+/** A drawing of one square, in a folder of its own. */
+function drawing(t) {
+  const at = folder(t);
+  const path = join(at, 'plate.dxf');
+  writeFileSync(path, dxf(square(0, 0, 40)));
+  return { at, path };
+}
+
+describe('reports of the command line', () => {
+  it('short searches take milliseconds and not 0.0 s', async (t) => {
+    assert.deepEqual([0, 0.0002, 0.016, 0.9994, 0.9996, 10].map(elapsed), ['1 ms', '1 ms', '16 ms', '999 ms', '1.0 s', '10.0 s']);
+    assert.match((await kerfway('plan', drawing(t).path, '--moves', '1')).stdout, /1 moves? in \d+ ms;/);
+  });
+
+  it('calibrate says what it has fitted, also beside its JSON, and an equal time is the same', async (t) => {
+    const { at, path } = drawing(t);
+    const plan = join(at, 'plan.json');
+    await kerfway('plan', path, '--moves', '1', '--seed', '1', '--json', plan);
+    const alone = await kerfway('calibrate', `${plan}=8`);
+    const piped = await kerfway('calibrate', `${plan}=8`, '--json', '-');
+    assert.match(alone.stdout, /^plate\.dxf: 8\.0 s measured; planned [\d.]+ s before \([+-][\d.]+ %\), 8\.0 s after \(the same\)\n/);
+    assert.equal(piped.stderr, alone.stdout);
+    assert.equal(JSON.parse(piped.stdout).name, 'co2-100w');
+  });
+
+  it('check of a program that cuts nothing counts no contours and reaches nowhere', async (t) => {
+    const { at } = drawing(t);
+    const program = join(at, 'empty.nc');
+    writeFileSync(program, '');
+    const { code, stdout } = await kerfway('check', program);
+    assert.equal(code, 1);
+    assert.match(stdout, /^Contours {3}none$/m);
+    assert.doesNotMatch(stdout, /equally often|on the bed/);
+  });
+
+  it('quote counts no sheets where no part fits on one', async (t) => {
+    const { stdout } = await kerfway('quote', drawing(t).path, '--moves', '1', '--seed', '1', '--sheet', '30x30');
+    assert.match(stdout, /^1 copy {5}[\d.]+ s, 1 part too large for a sheet$/m);
+  });
+
+  it('verify of another file says that it is no certificate', async (t) => {
+    const { code, stderr } = await kerfway('verify', drawing(t).path);
+    assert.deepEqual([code, /plate\.dxf names no drawing: either it is no certificate, or give its drawing after it\./.test(stderr)], [1, true], stderr);
+  });
+
+  it('the help has the defaults of each command', async () => {
+    const [plan, quote] = (await Promise.all(['plan', 'quote'].map((name) => kerfway('help', name)))).map(({ stdout }) => stdout.replace(/\s+/g, ' '));
+    assert.match(plan, /--seconds S how long to search each drawing \(default 10\)/);
+    assert.match(quote, /--seconds S how long to search each drawing \(default: moves that grow with the number of contours\)/);
+    assert.match(plan, /--seed N the seed of all random choices \(default: a random one\)/);
+    assert.match(quote, /--seed N [^-]+1 without --seconds and --moves\)/);
+  });
+});
