@@ -5,7 +5,7 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { elapsed } from '../../dist/sdk/cli/words.js';
-import { dxf, folder, kerfway, square } from './support.mjs';
+import { dxf, fixture, folder, kerfway, square } from './support.mjs';
 
 /** A drawing of one square, in a folder of its own. */
 function drawing(t) {
@@ -50,6 +50,22 @@ describe('reports of the command line', () => {
   it('verify of another file says that it is no certificate', async (t) => {
     const { code, stderr } = await kerfway('verify', drawing(t).path);
     assert.deepEqual([code, /plate\.dxf names no drawing: either it is no certificate, or give its drawing after it\./.test(stderr)], [1, true], stderr);
+  });
+
+  it('verify without a drawing says where the drawing belongs', async (t) => {
+    const { at } = drawing(t);
+    const certificate = join(at, 'certificate.json');
+    writeFileSync(certificate, '{"schema":"kerfway.certificate/1","drawing":{"name":"other.dxf"}}');
+    const { code, stderr } = await kerfway('verify', certificate);
+    assert.equal(code, 1);
+    assert.match(stderr, /other\.dxf cannot be read: there is no such file\. Give the drawing after the certificate\.$/m);
+  });
+
+  it('a job that leaves the bed is refused without a search, if a program is asked for', async (t) => {
+    const sheet = fixture('dxf-dev/gtips_reviung__reviung53_2mm_450x300_ver1.1.dxf');
+    const begun = performance.now();
+    const { code, stderr } = await kerfway('plan', sheet, '--seconds', '40', '--gcode', join(folder(t), 'plate.nc'));
+    assert.deepEqual([code, /beyond the bed .*\(--allow-off-bed\)$/m.test(stderr), performance.now() - begun < 20_000], [1, true, true], stderr);
   });
 
   it('the help has the defaults of each command', async () => {

@@ -60,7 +60,7 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
       // A quote starts without the plan of the project, because others must be able to make it from the drawing alone.
       const plan = isAsSaved && !isQuote ? project.plan : null;
       const search = budgeted({ ...chosen, ...continuing(plan, budget) }, loaded, requested.defaultBudget);
-      const { result, proof } = await usable(file, searched(planner, search, proving, file, place, values['quiet'] === true));
+      const { result, proof } = await usable(file, searched(planner, search, proving, { file, place, quiet: values['quiet'] === true, hasProgram: hasProgram(requested.outputs.map(({ kind }) => kind)) }));
       await write({ file, place, planner, loaded, result, proof, options: search }, to);
     });
   } finally {
@@ -118,7 +118,16 @@ function proofBudget({ values }: Words, outputs: Requested['outputs'], search: P
   return budget;
 }
 
-async function searched(planner: Planner, options: PlanOptions, proving: ProofBudget | null, file: string, place: Place, quiet: boolean): Promise<{ result: PlanResult; proof: Proof | null }> {
+/** What a search is for. */
+interface Purpose {
+  file: string;
+  place: Place;
+  quiet: boolean;
+  /** Whether a machine is to run an output. */
+  hasProgram: boolean;
+}
+
+async function searched(planner: Planner, options: PlanOptions, proving: ProofBudget | null, { file, place, quiet, hasProgram }: Purpose): Promise<{ result: PlanResult; proof: Proof | null }> {
   const show = process.stderr.isTTY && !quiet;
   const plan = planner.plan(options, (progress) => {
     if (show) process.stderr.write(`\r\x1b[K${progressLine(progress, options, nameOf(file), place)}`);
@@ -132,7 +141,9 @@ async function searched(planner: Planner, options: PlanOptions, proving: ProofBu
   process.once('SIGINT', stop);
   try {
     // Errors of the plan come first: what cannot be planned cannot be proven either.
-    await Promise.race([plan.started, plan.done]);
+    const { findings } = await Promise.race([plan.started, plan.done]);
+    // The planner writes no program for a job that leaves the bed: nobody has to wait for that.
+    if (hasProgram && options.allowOffBed !== true && findings.some(({ code }) => code === 'off-bed')) plan.stop();
     prover = proving === null ? null : planner.prove(proving);
     const [result, proof] = await Promise.all([plan.done, prover?.done ?? null]);
     const summary = bounded(result.progress.summary, proof?.seconds ?? 0);

@@ -19,7 +19,7 @@ export async function verify(args: string[]): Promise<void> {
   destinations.begin([file]);
   const machine = text(given.values, 'machine') === undefined ? {} : { machine: await namedMachine(given) };
   const certificate = new TextDecoder().decode(await bytesOf(file));
-  const bytes = await bytesOf(drawing ?? drawingOf(file, certificate));
+  const bytes = await (drawing === undefined ? besideCertificate(file, certificate) : bytesOf(drawing));
   const research = await import('../pkg/kerfway_research.js');
   research.initSync({ module: await readFile(new URL('../pkg/kerfway_research_bg.wasm', import.meta.url)) });
   let verified: Verified;
@@ -42,10 +42,14 @@ async function namedMachine(given: Parameters<typeof machineOf>[0]) {
 }
 
 /** Without a drawing in the arguments, the file of the certificate's own name beside it. */
-function drawingOf(file: string, certificate: string): string {
+async function besideCertificate(file: string, certificate: string): Promise<Uint8Array> {
   const name = /"drawing":\{"name":("(?:[^"\\]|\\.)*")/.exec(certificate)?.[1];
   if (name === undefined) throw new Unusable(`${file} names no drawing: either it is no certificate, or give its drawing after it.`);
-  return join(dirname(file), JSON.parse(name) as string);
+  try {
+    return await bytesOf(join(dirname(file), JSON.parse(name) as string));
+  } catch (error) {
+    throw error instanceof Unusable ? new Unusable(`${error.message} Give the drawing after the certificate.`) : error;
+  }
 }
 
 function sentence({ seconds, paid, drawing, machine }: Verified): string {
