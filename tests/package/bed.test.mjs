@@ -5,7 +5,7 @@ import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { inspect, plan } from 'kerfway';
-import { dxf, folder, kerfway, square } from './support.mjs';
+import { bytes, dxf, folder, kerfway, square } from './support.mjs';
 
 const QUICK = ['--moves', '20', '--seed', '1', '--units', 'mm'];
 
@@ -24,6 +24,16 @@ async function planned(t, at, ...options) {
   const read = (name) => (existsSync(join(path, name)) ? readFileSync(join(path, name), 'utf8') : null);
   return { ...run, program: read('a.nc'), document: read('a.json') };
 }
+
+describe('a job that leaves the bed', () => {
+  it('is refused without a search, if a program is asked for', async () => {
+    const sheet = bytes('dxf-dev/gtips_reviung__reviung53_2mm_450x300_ver1.1.dxf');
+    const begun = performance.now();
+    await assert.rejects(plan(sheet, { seconds: 40, outputs: ['svg', 'gcode'] }), (error) => error.code === 'off-bed');
+    assert.ok(performance.now() - begun < 20_000, 'it searched');
+    assert.equal((await plan(sheet, { moves: 3000, seed: 1, outputs: ['svg'] })).moves, 3000);
+  });
+});
 
 describe('kerfway plan', () => {
   it('refuses negative coordinates with one sentence, and writes nothing', async (t) => {

@@ -183,7 +183,7 @@ describe('the service', () => {
 
   it('is started with settings that make sense, or not at all', async (t) => {
     for (const [args, exit, says] of [
-      [['--port', '99999'], 2, /--port 99999/], [['--workers', '0'], 2, /--workers 0/], [['--cors', 'shop.example'], 2, /--cors/], [['plate.dxf'], 2, /options only/],
+      [['--port', '99999'], 2, /--port 99999/], [['--host', '203.0.113.1', '--port', '0'], 1, /This computer has no such address\. Choose another with --host\./], [['--workers', '0'], 2, /--workers 0/], [['--cors', 'shop.example'], 2, /--cors/], [['plate.dxf'], 2, /options only/],
       [['--keys', join(folder(t), 'none')], 1, /cannot be read/], [['--queue', 'localhost'], 2, /--queue/],
     ]) {
       const { code, stderr } = await kerfway('serve', ...args);

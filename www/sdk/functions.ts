@@ -1,9 +1,10 @@
 /**
- * The functions of the package: `inspect`, `plan`, `quote`, `render` and `check`. Each uses a planner for one drawing. A
+ * The functions of the package: `inspect`, `plan`, `quote`, `verifyQuote`, `render` and `check`. Each uses a planner for one drawing. A
  * `WithPlanner` provides it: a new one for every call, or one of a pool. Browsers and Node share this code.
  */
 
 import { quietAtClose } from './closed.js';
+import { isRefusedOffBed } from './doubt.js';
 import { KerfwayError } from './errors.js';
 import { checkOptions, planning, reading, terms } from './options.js';
 import { readBytes, type Bytes, type Source } from './bytes.js';
@@ -133,6 +134,8 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
         const handle = planner.plan(search, report);
         stop = () => handle.stop();
         if (stopped) stop();
+        const { findings } = await Promise.race([handle.started, handle.done]);
+        if (isRefusedOffBed(options.outputs ?? [], options, findings)) stop();
         const { progress, ...rest } = await handle.done;
         const { path, summary, moves, seconds } = progress;
         if (path === null) throw new KerfwayError('planner-died', 'The plan ended before it had a path.');

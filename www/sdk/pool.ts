@@ -28,7 +28,7 @@ export interface PoolOptions extends Configuration {
 export const DEADLINE = 300;
 
 /**
- * `inspect`, `plan`, `quote`, `render` and `check` on the pool's workers. Each call waits its turn. To process more files than fit
+ * `inspect`, `plan`, `quote`, `verifyQuote`, `render` and `check` on the pool's workers. Each call waits its turn. To process more files than fit
  * into memory, pass a function that reads the file (`() => readFile(path)`), or wait for `room` before each call. When a
  * worker dies, its file is planned again from the start, and its progress starts again too.
  */

@@ -1,6 +1,6 @@
 /** The common part of `plan` and `quote`: plans drawings one after the other with one planner. */
 
-import { doubtAbout, hasProgram } from '../doubt.js';
+import { doubtAbout, hasProgram, isRefusedOffBed } from '../doubt.js';
 import { budgeted, type DefaultBudget } from '../functions.js';
 import { checkOptions, DEFAULT_SECONDS, given } from '../options.js';
 import { bounded } from '../bound.js';
@@ -60,7 +60,7 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
       // A quote starts without the plan of the project, because others must be able to make it from the drawing alone.
       const plan = isAsSaved && !isQuote ? project.plan : null;
       const search = budgeted({ ...chosen, ...continuing(plan, budget) }, loaded, requested.defaultBudget);
-      const { result, proof } = await usable(file, searched(planner, search, proving, { file, place, quiet: values['quiet'] === true, hasProgram: hasProgram(requested.outputs.map(({ kind }) => kind)) }));
+      const { result, proof } = await usable(file, searched(planner, search, proving, { file, place, quiet: values['quiet'] === true, outputs: requested.outputs.map(({ kind }) => kind) }));
       await write({ file, place, planner, loaded, result, proof, options: search }, to);
     });
   } finally {
@@ -123,11 +123,10 @@ interface Purpose {
   file: string;
   place: Place;
   quiet: boolean;
-  /** Whether a machine is to run an output. */
-  hasProgram: boolean;
+  outputs: readonly string[];
 }
 
-async function searched(planner: Planner, options: PlanOptions, proving: ProofBudget | null, { file, place, quiet, hasProgram }: Purpose): Promise<{ result: PlanResult; proof: Proof | null }> {
+async function searched(planner: Planner, options: PlanOptions, proving: ProofBudget | null, { file, place, quiet, outputs }: Purpose): Promise<{ result: PlanResult; proof: Proof | null }> {
   const show = process.stderr.isTTY && !quiet;
   const plan = planner.plan(options, (progress) => {
     if (show) process.stderr.write(`\r\x1b[K${progressLine(progress, options, nameOf(file), place)}`);
@@ -142,8 +141,7 @@ async function searched(planner: Planner, options: PlanOptions, proving: ProofBu
   try {
     // Errors of the plan come first: what cannot be planned cannot be proven either.
     const { findings } = await Promise.race([plan.started, plan.done]);
-    // The planner writes no program for a job that leaves the bed: nobody has to wait for that.
-    if (hasProgram && options.allowOffBed !== true && findings.some(({ code }) => code === 'off-bed')) plan.stop();
+    if (isRefusedOffBed(outputs, options, findings)) plan.stop();
     prover = proving === null ? null : planner.prove(proving);
     const [result, proof] = await Promise.all([plan.done, prover?.done ?? null]);
     const summary = bounded(result.progress.summary, proof?.seconds ?? 0);

@@ -45,6 +45,7 @@ async function started<T>(work: Promise<T>): Promise<T> {
     const { code } = error as NodeJS.ErrnoException;
     if (code === 'EADDRINUSE') throw new Unusable('The port is in use. Choose another with --port.');
     if (code === 'EACCES') throw new Unusable('The system does not allow this port. Choose one above 1023 with --port.');
+    if (code === 'EADDRNOTAVAIL' || code === 'ENOTFOUND') throw new Unusable('This computer has no such address. Choose another with --host.');
     throw new Unusable(reportOf(error).message);
   }
 }
