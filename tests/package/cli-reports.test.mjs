@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
-import { elapsed } from '../../dist/sdk/cli/words.js';
+import { area, duration, elapsed, grams, meters, millimetres, size } from '../../dist/sdk/cli/words.js';
 import { dxf, fixture, folder, kerfway, square } from './support.mjs';
 
 /** A drawing of one square, in a folder of its own. */
@@ -19,6 +19,20 @@ describe('reports of the command line', () => {
   it('short searches take milliseconds and not 0.0 s', async (t) => {
     assert.deepEqual([0, 0.0002, 0.016, 0.9994, 0.9996, 10].map(elapsed), ['1 ms', '1 ms', '16 ms', '999 ms', '1.0 s', '10.0 s']);
     assert.match((await kerfway('plan', drawing(t).path, '--moves', '1')).stdout, /1 moves? in \d+ ms;/);
+  });
+
+  it('only nothing is shown as 0', () => {
+    assert.deepEqual([0, 0.2, 344].map(meters), ['0.000 m', 'under 0.001 m', '0.344 m']);
+    assert.deepEqual([0, 0.02, 0.05, 119.94, 119.96].map(duration), ['0.0 s', 'under 0.1 s', '0.1 s', '119.9 s', '2 min 00 s']);
+    assert.deepEqual([0.002, 0.011].map(millimetres), ['under 0.01 mm', '0.01 mm']);
+    assert.deepEqual([0.0004, 0.4, 9.99, 344, 15_000].map(area), ['under 0.01 mm²', '0.40 mm²', '9.99 mm²', '344 mm²', '0.0150 m²']);
+    assert.deepEqual([0.001, 0.4, 8.1, 12.4, 2500].map(grams), ['under 0.01 g', '0.40 g', '8.10 g', '12 g', '2.50 kg']);
+    assert.equal(size([0, 0, 0.02, 40]), 'under 0.1 x 40.0 mm');
+  });
+
+  it('a misspelt layer is no finding of the drawing, in which inspect would look for it in vain', async (t) => {
+    const { code, stdout, stderr } = await kerfway('plan', drawing(t).path, '--moves', '1', '--layer', 'none=mark');
+    assert.deepEqual([code, /has no layer "none"/.test(stderr), /Findings/.test(stdout)], [0, true, false]);
   });
 
   it('calibrate says what it has fitted, also beside its JSON, and an equal time is the same', async (t) => {

@@ -74,7 +74,8 @@ function row(file: string, loaded: Loaded, { progress: { summary: s }, baselines
 function lines(file: string, loaded: Loaded, result: PlanResult, { machine, workers = 1 }: PlanOptions): string[] {
   const { summary: s, moves, seconds } = result.progress;
   const { drawing, greedy } = result.baselines;
-  const findings = notableFindings(loaded);
+  // What the options are doubtful about was said, and is none of the drawing's.
+  const findings = notableFindings({ ...loaded, findings: loaded.findings.filter((f) => f.code !== 'layer-unknown') });
   const text = [
     `${nameOf(file)}: ${plural(s.contours, 'contour')} (${s.open_contours} open), ${plural(s.parts, 'part')}, ` +
       `${meters(s.cut_length)} to cut`,

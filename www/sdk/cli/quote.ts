@@ -14,7 +14,7 @@ import { planFiles } from './planning.js';
 import type { Column } from './report.js';
 import { savingLines, savingsOf } from './savings.js';
 import { STANDARD_OUTPUT } from './target.js';
-import { area, duration, grams, meters, millimetres, plural, skeletonLines, unitOf } from './words.js';
+import { area, duration, fixed, grams, meters, millimetres, plural, size, skeletonLines, unitOf } from './words.js';
 
 export async function quote(args: string[]): Promise<void> {
   const given = parsed('quote', args);
@@ -108,14 +108,14 @@ async function limitsOf({ values }: Words): Promise<{ limits?: Limits }> {
 }
 
 function lines(q: Quote): string[] {
-  const { times: t, bounds: [x0, y0, x1, y1] } = q;
-  const against = (ratio: number | null) => (ratio === null ? '' : ` (${ratio.toFixed(2)} of the thickness)`);
+  const { times: t } = q;
+  const against = (ratio: number | null) => (ratio === null ? '' : ` (${fixed(ratio, 2)} of the thickness)`);
   const weight = q.weight === null ? '' : `, ${grams(q.weight)}`;
   const text = [
     `${q.input.name}: ${plural(q.part_count, 'part')}, ${q.parts.length} different${weight}`,
     `Job        ${duration(t.total)}: cut ${duration(t.cut)}, air ${duration(t.air)}, pierce ${duration(t.pierce)} (${q.pierces})`,
     ...skeletonLines(q),
-    `Size       ${(x1 - x0).toFixed(1)} x ${(y1 - y0).toFixed(1)} mm, ${area(q.box_area)}; parts ${area(q.net_area)}`,
+    `Size       ${size(q.bounds)}, ${area(q.box_area)}; parts ${area(q.net_area)}`,
     ...q.layers.map((l) => `Layer      ${l.layer}: ${l.operation} ${meters(l.length)}, ${plural(l.contours, 'contour')}${l.open > 0 ? `, ${l.open} open` : ''}`),
     ...q.parts.map((p) => `Part       ${p.count} x ${area(p.net_area)}, ${meters(p.cut_length)} to cut, ${plural(p.holes, 'hole')}`),
   ];

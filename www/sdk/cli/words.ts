@@ -2,14 +2,20 @@
 
 import type { Summary } from '../protocol.js';
 
+/** A number with some decimals; "under 0.01" and the like for what they do not show, so that only 0 is 0. */
+export function fixed(n: number, decimals: number): string {
+  const text = n.toFixed(decimals);
+  return n > 0 && Number(text) === 0 ? `under ${(10 ** -decimals).toFixed(decimals)}` : text;
+}
+
 /** A length given in mm, in metres. */
 export function meters(mm: number): string {
-  return `${(mm / 1000).toFixed(3)} m`;
+  return `${fixed(mm / 1000, 3)} m`;
 }
 
 /** A time given in seconds; from two minutes on in minutes and seconds. */
 export function duration(s: number): string {
-  if (s < 120) return `${s.toFixed(1)} s`;
+  if (s < 119.95) return `${fixed(s, 1)} s`;
   const minutes = Math.floor(Math.round(s) / 60);
   return `${minutes} min ${String(Math.round(s) - 60 * minutes).padStart(2, '0')} s`;
 }
@@ -32,7 +38,7 @@ export function percentAtMost(share: number): string {
 
 /** Width and height of a box in mm. */
 export function size([x0, y0, x1, y1]: [number, number, number, number]): string {
-  return `${(x1 - x0).toFixed(1)} x ${(y1 - y0).toFixed(1)} mm`;
+  return `${fixed(x1 - x0, 1)} x ${fixed(y1 - y0, 1)} mm`;
 }
 
 export function plural(n: number, word: string): string {
@@ -46,17 +52,17 @@ export function skeletonLines({ skeleton_cuts, skeleton_length = 0, skeleton_tim
 
 /** A small length, in mm. */
 export function millimetres(mm: number): string {
-  return `${mm.toFixed(2)} mm`;
+  return `${fixed(mm, 2)} mm`;
 }
 
-/** An area given in mm2; from 100 cm2 on in square metres. */
+/** An area given in mm2; from 100 cm2 on in square metres, below 10 mm2 with decimals. */
 export function area(mm2: number): string {
-  return mm2 < 1e4 ? `${mm2.toFixed(0)} mm²` : `${(mm2 / 1e6).toFixed(4)} m²`;
+  return mm2 < 1e4 ? `${fixed(mm2, mm2 < 10 ? 2 : 0)} mm²` : `${(mm2 / 1e6).toFixed(4)} m²`;
 }
 
-/** A weight given in grams; from a kilogram on in kilograms. */
+/** A weight given in grams; from a kilogram on in kilograms, below 10 g with decimals. */
 export function grams(g: number): string {
-  return g < 1000 ? `${g.toFixed(0)} g` : `${(g / 1000).toFixed(2)} kg`;
+  return g < 1000 ? `${fixed(g, g < 10 ? 2 : 0)} g` : `${(g / 1000).toFixed(2)} kg`;
 }
 
 /** A unit, with the resolution of pixels. */
