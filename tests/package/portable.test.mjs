@@ -11,7 +11,7 @@ import { pathToFileURL } from 'node:url';
 import { build } from 'esbuild';
 import { build as viteBuild } from 'vite';
 import webpack from 'webpack';
-import { quote } from 'kerfway';
+import { createPlanner, quote } from 'kerfway';
 import { bytes, fixture, install, KEYBOARD, pack, ROOT } from './support.mjs';
 
 let at, hash;
@@ -145,6 +145,18 @@ describe('kerfway/portable', () => {
     await assert.rejects(planner.paperMethods(), /no methods from papers/);
     planner.close();
     await assert.rejects(planner.output('svg'), /closed/);
+  });
+
+  it('refuses the levers that the guide lists', async () => {
+    const { message } = await createPlanner({ worker: false }).then(async (planner) => {
+      await planner.load(bytes(KEYBOARD), 'keyboard.dxf');
+      const [machine] = planner.machines;
+      return planner.plan({ moves: 1, machine: { ...machine, levers: { corners: { outer: 'loop' } } } }).done.catch((error) => error).finally(() => planner.close());
+    });
+    const [, refused] = /the levers ([a-z_, ]+)\./.exec(message);
+    const guide = readFileSync(join(ROOT, 'docs', 'embedding.md'), 'utf8');
+    const listed = [...guide.matchAll(/the levers ([`a-z_, ]+)\./g)].map(([, list]) => list.replaceAll('`', ''));
+    assert.deepEqual(listed, [refused, refused]);
   });
 
   it('ends a plan by a signal, and answers calls at the same time', async () => {
