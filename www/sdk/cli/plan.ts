@@ -83,7 +83,7 @@ function lines(file: string, loaded: Loaded, result: PlanResult, { machine, work
       `(${meters(s.air_length)}), pierce ${duration(s.pierce_time)}`,
     `Before     ${duration(drawing.total_time)} as drawn, ${duration(greedy.total_time)} nearest first`,
     ...skeletonLines(s),
-    `Search     ${result.method}, seed ${result.seed}, ${moves} moves in ${elapsed(seconds)}` +
+    `Search     ${result.method}, seed ${result.seed}, ${plural(moves, 'move')} in ${elapsed(seconds)}` +
       `${workers > 1 ? ` by ${workers} workers` : ''}; ` +
       `machine ${(machine as MachineProfile).name}`,
   ];

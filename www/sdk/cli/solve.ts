@@ -7,7 +7,7 @@ import { DEFAULT_SECONDS } from '../options.js';
 import { Destinations, outputsOf } from './destinations.js';
 import { bytesOf, Unusable } from './io.js';
 import { say } from './report.js';
-import { elapsed, percentAtMost } from './words.js';
+import { elapsed, percentAtMost, plural } from './words.js';
 
 /** Moves between two checks of the clock, which take a few milliseconds. */
 const SLICE = 20_000;
@@ -38,7 +38,7 @@ export async function solve(args: string[]): Promise<void> {
   await destinations.write(file, outputs.map((output) => ({ output, data })));
   await say([
     `${basename(file)}: length ${found.length}, ${found.tour.length} stops; ${proven(found)}`,
-    `Search     seed ${seed}, ${found.moves} moves in ${elapsed(found.seconds)}`,
+    `Search     seed ${seed}, ${plural(found.moves, 'move')} in ${elapsed(found.seconds)}`,
   ], destinations.piped);
 }
 
