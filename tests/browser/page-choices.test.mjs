@@ -163,6 +163,8 @@ test('a finished plan gives a quote that can be downloaded', async (t) => {
   await page.getByText('Narrowest web').waitFor();
   assert.match(await page.locator('.section-body').first().textContent(), /98 parts/, 'as the drawing says');
   assert.match(await page.locator('details', { hasText: 'Density' }).last().textContent(), /Parts98, \d+ different.* kg/);
+  const units = await page.locator('dl.parts dt', { hasText: /\d × \d/ }).evaluateAll((all) => all.map((dt) => dt.textContent.split(' ').at(-1)));
+  assert.ok(units.length > 1 && new Set(units).size === 1, `the list has one unit: ${units}`);
   const { name, bytes } = await download(page, () => page.getByRole('button', { name: 'Download the report' }).click());
   assert.match(name, /^sheet_500-co2-100w-[\d-]+\.quote\.json$/);
   const report = JSON.parse(bytes);

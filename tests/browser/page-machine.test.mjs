@@ -19,6 +19,7 @@ test('a job off the bed gets no G-code, is moved to the corner, turned, and drag
   await bed.getByText('The job reaches from x -20 to 30', { exact: false }).waitFor();
   await page.locator('.dock').getByRole('button', { name: 'G-code' }).click();
   await page.locator('#stage').getByText('Nothing was written', { exact: false }).waitFor();
+  assert.match(await bed.locator('summary').textContent(), /On the bed.*reaches beyond it/, 'the value goes with the label');
   await shot(page, 'bed-off');
 
   await replanned(page, () => bed.getByRole('button', { name: 'Move to the corner' }).click());

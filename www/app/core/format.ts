@@ -90,11 +90,11 @@ export function extent(width: number, height: number): string {
   return `${size(width)} × ${size(height)} ${unit}`;
 }
 
-/** An area: "120 mm²", from 100 cm² on "0.0123 m²", or "19.1 in²". */
-export function area(mm2: number): string {
+/** An area: "120 mm²", from 100 cm² on "0.0123 m²", or "19.1 in²". `beside`: the smallest area of its list, as a list has one unit. */
+export function area(mm2: number, beside = mm2): string {
   const { unit, factor } = shownIn('mm²');
   if (unit !== 'mm²') return `${three(mm2 / factor)} ${unit}`;
-  return mm2 < 1e4 ? `${count(Math.round(mm2))} mm²` : `${fixed(mm2 / 1e6, 4)} m²`;
+  return beside < 1e4 ? `${count(Math.round(mm2))} mm²` : `${fixed(mm2 / 1e6, 4)} m²`;
 }
 
 /** A share: "12.3 %". */

@@ -73,7 +73,9 @@ function facts(q: Quote): [string, string][] {
   if (q.weight !== null) all.push([words.quote.weight, q.weight < 1000 ? `${fixed(q.weight, 0)} g` : `${fixed(q.weight / 1000, 2)} kg`]);
   if (q.smallest_hole !== null) all.push([words.quote.hole, width(q.smallest_hole.width) + against(q.smallest_hole.over_thickness)]);
   if (q.narrowest_web !== null) all.push([words.quote.web, width(q.narrowest_web.width) + against(q.narrowest_web.over_thickness)]);
-  for (const p of q.parts.slice(0, LISTED)) all.push([`${count(p.count)} × ${area(p.net_area)}`, words.quote.part(metres(p.cut_length), p.holes, count(p.holes))]);
+  const listed = q.parts.slice(0, LISTED);
+  const least = Math.min(...listed.map((p) => p.net_area));
+  for (const p of listed) all.push([`${count(p.count)} × ${area(p.net_area, least)}`, words.quote.part(metres(p.cut_length), p.holes, count(p.holes))]);
   if (q.parts.length > LISTED) all.push([words.quote.and, words.quote.others(count(q.parts.length - LISTED))]);
   return all;
 }

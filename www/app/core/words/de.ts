@@ -381,7 +381,7 @@ export const de: Words = {
     turnLeft: 'Links drehen', turnRight: 'Rechts drehen', drag: 'Auftrag ziehen', show: 'Arbeitsbereich zeigen', coordinates: 'Koordinaten', absolute: 'Der Maschine', current: 'Ab dem Kopf',
     allow: 'Programme schreiben, die den Arbeitsbereich verlassen', reaches: (x0, x1, y0, y1, unit) => `x ${x0} bis ${x1}, y ${y0} bis ${y1} ${unit}`,
     off: 'Der Auftrag liegt nicht auf dem Arbeitsbereich.', corner: 'In die Ecke schieben', noBed: 'Diese Maschine hat keinen Arbeitsbereich: geben Sie seine Größe unter Maschine ein, damit Programme dagegen geprüft werden.',
-    drawn: 'wie gezeichnet', placed: 'platziert', offBed: 'nicht auf dem Arbeitsbereich', turned: (degrees) => `um ${degrees}° gedreht`,
+    drawn: 'wie gezeichnet', placed: 'platziert', offBed: 'ragt darüber hinaus', turned: (degrees) => `um ${degrees}° gedreht`,
     dragging: 'Ziehen Sie den Auftrag auf dem Arbeitsbereich. Esc beendet das.',
   },
 

@@ -330,7 +330,7 @@ export const en = {
     turnLeft: 'Turn left', turnRight: 'Turn right', drag: 'Drag the job', show: 'Show the bed', coordinates: 'Coordinates', absolute: 'Of the machine', current: 'From the head',
     allow: 'Write programs that leave the bed', reaches: (x0: string, x1: string, y0: string, y1: string, unit: string) => `x ${x0} to ${x1}, y ${y0} to ${y1} ${unit}`,
     off: 'The job is not on the bed.', corner: 'Move to the corner', noBed: 'This machine has no bed: enter its size under Machine, so that programs are checked against it.',
-    drawn: 'as drawn', placed: 'placed', offBed: 'not on the bed', turned: (degrees: number) => `turned ${degrees}°`,
+    drawn: 'as drawn', placed: 'placed', offBed: 'reaches beyond it', turned: (degrees: number) => `turned ${degrees}°`,
     dragging: 'Drag the job on the bed. Esc ends it.',
   },
 

@@ -381,7 +381,7 @@ export const es: Words = {
     turnLeft: 'Girar a la izquierda', turnRight: 'Girar a la derecha', drag: 'Arrastrar el trabajo', show: 'Mostrar la mesa', coordinates: 'Coordenadas', absolute: 'De la máquina', current: 'Desde el cabezal',
     allow: 'Escribir programas que salen de la mesa', reaches: (x0, x1, y0, y1, unit) => `x ${x0} a ${x1}, y ${y0} a ${y1} ${unit}`,
     off: 'El trabajo no está sobre la mesa.', corner: 'Mover a la esquina', noBed: 'Esta máquina no tiene mesa: introduzca su tamaño en Máquina, para comprobar los programas con ella.',
-    drawn: 'como está dibujado', placed: 'colocado', offBed: 'fuera de la mesa', turned: (degrees) => `girado ${degrees}°`,
+    drawn: 'como está dibujado', placed: 'colocado', offBed: 'sobresale de ella', turned: (degrees) => `girado ${degrees}°`,
     dragging: 'Arrastre el trabajo sobre la mesa. Esc termina.',
   },
 

@@ -378,7 +378,7 @@ export const ja: Words = {
     turnLeft: '左に回す', turnRight: '右に回す', drag: 'ジョブをドラッグ', show: 'ベッドを表示', coordinates: '座標', absolute: '機械の座標', current: 'ヘッドから',
     allow: 'ベッドからはみ出すプログラムを許可', reaches: (x0, x1, y0, y1, unit) => `x ${x0} から ${x1}、y ${y0} から ${y1} ${unit}`,
     off: 'ジョブがベッドの上にありません。', corner: '隅に移動', noBed: 'この機械にはベッドがありません。プログラムを検査できるよう、「機械」で大きさを入力してください。',
-    drawn: '図面どおり', placed: '配置済み', offBed: 'ベッドの外', turned: (degrees) => `${degrees}° 回転`,
+    drawn: '図面どおり', placed: '配置済み', offBed: 'はみ出し', turned: (degrees) => `${degrees}° 回転`,
     dragging: 'ベッドの上でジョブをドラッグしてください。Esc で終わります。',
   },
 

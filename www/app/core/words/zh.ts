@@ -378,7 +378,7 @@ export const zh: Words = {
     turnLeft: '向左转', turnRight: '向右转', drag: '拖动任务', show: '显示工作台', coordinates: '坐标', absolute: '机器坐标', current: '从切割头起',
     allow: '允许写出超出工作台的程序', reaches: (x0, x1, y0, y1, unit) => `x ${x0} 到 ${x1}，y ${y0} 到 ${y1} ${unit}`,
     off: '任务不在工作台上。', corner: '移到角上', noBed: '这台机器没有工作台：请在“机器”中输入其尺寸，以便检查程序。',
-    drawn: '按图', placed: '已放置', offBed: '不在工作台上', turned: (degrees) => `旋转 ${degrees}°`,
+    drawn: '按图', placed: '已放置', offBed: '超出边界', turned: (degrees) => `旋转 ${degrees}°`,
     dragging: '在工作台上拖动任务。按 Esc 结束。',
   },
 
