@@ -57,3 +57,10 @@ for (const [size, theme] of [['desktop', 'light'], ['desktop', 'dark'], ['phone'
     assert.deepEqual([after.machine.skeleton, after.summary.skeleton_cuts], [undefined, undefined]);
   });
 }
+
+test('a layer of which nothing is left is not asked about', async (t) => {
+  const page = await openPlanned(t, 'fibre-3kw-thin', 'skeleton.dxf', DRAWING);
+  const sheet = await page.locator('.layers .layer', { hasText: 'SHEET' }).evaluate((row) => row.querySelector('.number').textContent);
+  assert.equal(sheet, '0', 'its only contour is the border of the sheet, which is ignored already');
+  assert.equal(await page.getByRole('button', { name: 'Ignore it' }).count(), 0);
+});

@@ -31,8 +31,7 @@ test('a dropped drawing is planned, improves, stops at once and gives G-code tha
   await phase(page, 'planning');
   await drop(page, 'mine.dxf', sample('sheet_500.dxf'));
   await planned(page, 'mine.dxf', 'planning');
-  // The layer of the sheet's border is recognised, and ignored with one click.
-  await page.getByRole('button', { name: 'Ignore it' }).click();
+  // The sheet's border is recognised and ignored without a question.
   await page.waitForFunction(() => document.querySelector('.section .gist').textContent.startsWith('500 contours'));
   await page.evaluate(() => window.reports.clear());
   await page.waitForFunction(() => window.reports.size >= 3);

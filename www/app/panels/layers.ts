@@ -16,7 +16,7 @@ export function layerList(session: Session, loaded: Loaded): HTMLElement {
   const shown = new Set(loaded.ignored.layers);
   const used = loaded.layers.filter((l, i) => l.contours > 0 || shown.has(i));
   const layers = ordered ? used.sort((a, b) => a.rank - b.rank) : used;
-  const suggestions = layers.filter((l) => l.suggestion && l.suggestion !== l.operation);
+  const suggestions = layers.filter((l) => l.contours > 0 && l.suggestion && l.suggestion !== l.operation);
   return h('div', { class: 'stack' },
     h('ul', { class: 'layers', 'aria-label': words.layers.title }, ...layers.map((l, i) => row(session, l, ordered ? [i > 0, i < layers.length - 1] : null))),
     ...suggestions.map((l) => suggestion(session, l)));
