@@ -166,7 +166,7 @@ fn no_plan_is_below_the_bound() {
         machine.pre_cut_time = Some([0.0, 0.05, 2.0][usize::try_from(seed / 3).unwrap() % 3]);
         let sheet = nested_sheet(2 + usize::try_from(seed).unwrap() % 12, seed);
         let problem = problem_of(&sheet, &machine);
-        let found = bound(&problem, 8_000_000).value();
+        let found = bound(&problem, 16_000_000).value();
         let mut search = solve::methods()[0].start(&problem, seed, None);
         for _ in 0..10 {
             search.step(10_000);
@@ -279,7 +279,7 @@ fn it_does_not_apply_where_contours_are_cut_in_one_go() {
 #[test]
 fn however_it_is_sliced() {
     let problem = problem_of(&nested_sheet(9, 4), &machine("length-partial"));
-    let [a, b] = [3_000_000, 70_000].map(|slice: u32| {
+    let [a, b] = [3_150_000, 70_000].map(|slice: u32| {
         let mut bound = StopBound::new(&problem).unwrap();
         (0..12_600_000 / slice).for_each(|_| {
             bound.improve(slice);

@@ -105,7 +105,7 @@ impl StopCertificate {
                     let (p, q) = (items[a].around, items[b].around);
                     let seconds = box_seconds(prices, p.min, p.max, q.min, q.max);
                     let room = takes(seconds, power, guard) - most[a] - most[b];
-                    if room >= cuts.all || room >= cuts.most_between([a, b]) {
+                    if room >= cuts.most[a] + cuts.most[b] || room >= cuts.most_between([a, b]) {
                         continue;
                     }
                 }
@@ -157,36 +157,38 @@ fn takes(seconds: f64, power: i32, guard: f64) -> i128 {
     units(seconds - guard, power).max(0).into()
 }
 
-/// A cut as the check reads it.
-struct Read {
-    /// For each item the part of each knot, and of all knots if it is the same.
-    part_of: Vec<Vec<usize>>,
-    whole: Vec<Option<usize>>,
-    /// What a leg between two parts pays.
-    of_leg: i128,
+/// The parts of an item's knots in a cut, unless all are in the part of home.
+struct Held {
+    cut: usize,
+    parts: Vec<usize>,
+    /// The part of all knots, if it is the same.
+    whole: Option<usize>,
 }
 
 /// The cuts as the check reads them.
 struct Cuts {
-    list: Vec<Read>,
+    /// For each cut what a leg between two parts pays.
+    of_leg: Vec<i128>,
+    /// For each item the cuts that hold some of it, in ascending order, and what a leg pays that crosses all of these.
+    held: Vec<Vec<Held>>,
+    most: Vec<i128>,
     /// For each knot of each item what a stop there pays, and for each item what a further stop gets back.
     pay: Vec<Vec<i128>>,
     refund: Vec<i128>,
     /// What every plan pays because parts hold items whole.
     joined: i128,
-    /// What a leg pays that crosses all cuts.
-    all: i128,
 }
 
 impl Cuts {
     /// `None` if the cuts do not fit the items.
     fn read(list: &[PricedParts], members: &[Member], first: usize) -> Option<Self> {
         let mut cuts = Self {
-            list: Vec::with_capacity(list.len()),
+            of_leg: Vec::with_capacity(list.len()),
+            held: members.iter().map(|_| Vec::new()).collect(),
+            most: vec![0; members.len()],
             pay: members.iter().map(|m| vec![0; m.item.knots]).collect(),
             refund: vec![0; members.len()],
             joined: 0,
-            all: 0,
         };
         for cut in list {
             let count = i128::try_from(cut.parts.len()).ok()?;
@@ -227,34 +229,49 @@ impl Cuts {
                     cuts.refund[k] += (count + 1) * price;
                 }
             }
-            let same = |parts: &Vec<usize>| {
-                parts.first().copied().filter(|first| parts.iter().all(|part| part == first))
-            };
-            let whole = part_of.iter().map(same).collect();
-            cuts.all += count * price;
-            cuts.list.push(Read { part_of, whole, of_leg: count * price });
+            let (cut, of_leg) = (cuts.of_leg.len(), count * price);
+            cuts.of_leg.push(of_leg);
+            for (k, parts) in
+                part_of.into_iter().enumerate().filter(|(_, parts)| parts.iter().any(|p| *p != 0))
+            {
+                let whole = parts.first().copied().filter(|first| parts.iter().all(|part| part == first));
+                cuts.held[k].push(Held { cut, parts, whole });
+                cuts.most[k] += of_leg;
+            }
         }
         Some(cuts)
     }
 
+    /// The cuts that a leg between two items may cross: what it pays, and the parts of both.
+    fn crossed(&self, [a, b]: [usize; 2]) -> Vec<(i128, [Option<&Held>; 2])> {
+        let mut held = [a, b].map(|k| self.held[k].iter().peekable());
+        let mut crossed = Vec::new();
+        while let Some(cut) = held.iter_mut().filter_map(|h| h.peek().map(|h| h.cut)).min() {
+            let both = held.each_mut().map(|h| h.next_if(|h| h.cut == cut));
+            let [p, q] = both.map(|h| h.map_or(Some(0), |h| h.whole));
+            if p.is_none() || p != q {
+                crossed.push((self.of_leg[cut], both));
+            }
+        }
+        crossed
+    }
+
     /// For each leg between two items, row by row, what it pays.
-    fn between(&self, [a, b]: [usize; 2], [n, m]: [usize; 2]) -> Vec<i128> {
+    fn between(&self, ends: [usize; 2], [n, m]: [usize; 2]) -> Vec<i128> {
         let mut crossing = vec![0; n * m];
-        for cut in self.list.iter().filter(|cut| cut.may_cross([a, b])) {
-            let legs = cut.part_of[a].iter().flat_map(|p| cut.part_of[b].iter().map(move |q| p != q));
-            crossing.iter_mut().zip(legs).filter(|l| l.1).for_each(|l| *l.0 += cut.of_leg);
+        for (of_leg, [p, q]) in self.crossed(ends) {
+            let part = |held: Option<&Held>, v: usize| held.map_or(0, |h| h.parts[v]);
+            for (at, paid) in crossing.iter_mut().enumerate() {
+                if part(p, at / m) != part(q, at % m) {
+                    *paid += of_leg;
+                }
+            }
         }
         crossing
     }
 
     /// At least what any leg between two items pays.
     fn most_between(&self, ends: [usize; 2]) -> i128 {
-        self.list.iter().filter(|cut| cut.may_cross(ends)).map(|cut| cut.of_leg).sum()
-    }
-}
-
-impl Read {
-    fn may_cross(&self, [a, b]: [usize; 2]) -> bool {
-        self.whole[a].is_none() || self.whole[a] != self.whole[b]
+        self.crossed(ends).iter().map(|c| c.0).sum()
     }
 }

@@ -14,13 +14,14 @@ impl StopBound {
         let items: Vec<Item> = self.members.iter().map(|m| m.item.clone()).collect();
         let places: Vec<_> = items.iter().map(halving::places).collect();
         let mut lost: Vec<Vec<f64>> = items.iter().map(|i| vec![0.0; i.knots]).collect();
-        for (e, pair) in self.pairs.list.iter().enumerate() {
+        // Pairs that were added since legs were selected have none yet.
+        for (pair, legs) in self.pairs.list.iter().zip(self.starts.windows(2)) {
             let [a, b] = pair.items;
             if a < self.first && a > 0 {
                 // The end of an open path, whose legs cost nothing.
                 continue;
             }
-            for l in self.starts[e]..self.starts[e + 1] {
+            for l in legs[0]..legs[1] {
                 if self.uses[l] < USED {
                     continue;
                 }

@@ -38,10 +38,12 @@
 
 mod cut;
 mod halve;
+mod proof;
 mod repair;
 mod separate;
 mod soft;
 mod stops;
+mod tables;
 
 use super::certificate::unit;
 use super::net::Item;
@@ -60,11 +62,11 @@ const COOLER: f64 = 0.5;
 /// By what the temperature is raised after pieces were halved: it moves potentials to where the new knots need them.
 const WARMER: f64 = 4.0;
 /// Factor between the last temperatures of two rounds: more knots have more legs at hand, each of which is used a little.
-const COOLER_ROUND: f64 = 0.6;
+const COOLER_ROUND: f64 = 0.8;
 /// Steps between two evaluations.
 const STEPS: usize = 50;
 /// Evaluations after which the gain is looked at, and the share of the value that is worth more steps at this temperature.
-const LOOKS: usize = 4;
+const EVALUATIONS: usize = 4;
 const WORTH: f64 = 0.003;
 const WORTH_ROUGH: f64 = 0.02;
 /// Rounds that end at the warm temperature, with pieces that are still long.
@@ -110,8 +112,13 @@ pub struct StopBound {
     mean: f64,
     temperature: f64,
     steps: usize,
-    looks: usize,
+    evaluations: usize,
+    /// Work of the last look at repaired numbers, and since then.
+    look_work: u64,
+    since_look: u64,
     rounds: usize,
+    /// The value of the smooth problem, which rises at each temperature, and what it was before the last steps.
+    smooth: f64,
     before: f64,
     done: bool,
     left: i64,
@@ -156,8 +163,11 @@ impl StopBound {
             mean: 1.0,
             temperature: 1.0,
             steps: 0,
-            looks: 0,
+            evaluations: 0,
+            look_work: 0,
+            since_look: 0,
             rounds: 0,
+            smooth: 0.0,
             before: f64::NEG_INFINITY,
             done: count <= first,
             left: 0,
@@ -170,8 +180,8 @@ impl StopBound {
         bound.pairs = Pairs::first(&items, first, &bound.prices);
         bound.lay_out();
         bound.potential = bound.half_legs();
-        let value = bound.look();
-        bound.mean = (value / count as f64).max(1e-9);
+        bound.look_work = bound.look();
+        bound.mean = (bound.best / count as f64).max(1e-9);
         bound.temperature = HOT * bound.mean;
         bound.select();
         Some(bound)
@@ -199,31 +209,43 @@ impl StopBound {
 
     /// Does one step, or evaluates after [`STEPS`] of them. Returns the work done.
     fn once(&mut self) -> u64 {
-        if self.steps < STEPS {
-            self.step();
-            self.steps += 1;
-            if self.steps == STEPS / 2 {
-                self.select();
-            }
-            let crossing: usize = self.cuts.iter().map(|c| c.crossing.len()).sum();
-            return (4 * (self.active.len() + self.potential.len()) + 2 * crossing) as u64;
-        }
+        let work = if self.steps < STEPS { self.one_step() } else { self.evaluate() };
+        self.since_look += work;
+        work
+    }
+
+    fn one_step(&mut self) -> u64 {
+        self.step();
+        self.steps += 1;
+        let selecting = if self.steps == STEPS / 2 { self.select() } else { 0 };
+        let crossing: usize = self.cuts.iter().map(|c| c.crossing.len()).sum();
+        selecting + (4 * (self.active.len() + self.potential.len()) + 2 * crossing) as u64
+    }
+
+    /// Adds cuts and lowers the temperature where the smooth value rises slowly. Repaired numbers are looked at before that, and when the steps
+    /// since the last look took as long as it did.
+    fn evaluate(&mut self) -> u64 {
         self.steps = 0;
-        self.looks += 1;
-        let value = self.look();
-        if self.looks.is_multiple_of(2) {
+        self.evaluations += 1;
+        let mut cooler = false;
+        if self.evaluations.is_multiple_of(EVALUATIONS) {
+            let gained = self.smooth - self.before;
+            self.before = self.smooth;
+            let worth = if self.rounds < ROUGH { WORTH_ROUGH } else { WORTH };
+            cooler = gained < worth * self.best.max(self.mean);
+        }
+        let mut work = 0;
+        if cooler || self.since_look >= 2 * self.look_work {
+            work += self.look();
+            (self.look_work, self.since_look) = (work, 0);
+        }
+        if self.evaluations.is_multiple_of(2) {
             self.separate();
         }
-        if self.looks.is_multiple_of(LOOKS) {
-            let gained = value - self.before;
-            self.before = value;
-            let worth = if self.rounds < ROUGH { WORTH_ROUGH } else { WORTH };
-            if gained < worth * value.abs() {
-                self.cool();
-            }
+        if cooler {
+            self.cool();
         }
-        self.select();
-        6 * self.numbers() as u64
+        work + self.select()
     }
 
     /// Lowers the temperature; at the last one, halves pieces and starts a round again.
@@ -240,51 +262,5 @@ impl StopBound {
             self.done = true;
         }
         self.rounds += 1;
-    }
-
-    /// Makes room for the numbers of all knots.
-    fn lay_out(&mut self) {
-        let mut knots = 0;
-        self.base.clear();
-        self.place.clear();
-        for member in &self.members {
-            self.base.push(knots);
-            self.place.extend(member.places().into_iter().map(|v| knots + v));
-            knots += member.item.knots;
-        }
-        for list in [&mut self.pay, &mut self.stay, &mut self.wanted, &mut self.offered] {
-            list.clear();
-            list.resize(knots, 0.0);
-        }
-    }
-
-    /// Half the cheapest leg at each knot: potentials that are feasible without cuts.
-    fn half_legs(&self) -> Vec<f64> {
-        let mut least = vec![f64::INFINITY; self.stay.len()];
-        self.each_table(|[a, b], m, table| {
-            for (i, row) in table.chunks_exact(m).enumerate() {
-                for (j, s) in row.iter().enumerate() {
-                    least[a + i] = least[a + i].min(0.5 * s);
-                    least[b + j] = least[b + j].min(0.5 * s);
-                }
-            }
-        });
-        least.into_iter().map(|s| if s.is_finite() { s } else { 0.0 }).collect()
-    }
-
-    /// Calls a function with the first knots of each pair, the columns of its table, and the table.
-    fn each_table(&self, mut f: impl FnMut([usize; 2], usize, &[f64])) {
-        for pair in &self.pairs.list {
-            let [n, m] = pair.items.map(|k| self.members[k].item.knots);
-            f(pair.items.map(|k| self.base[k]), m, self.pairs.table(pair, n * m));
-        }
-    }
-
-    fn numbers(&self) -> usize {
-        self.pairs
-            .list
-            .iter()
-            .map(|p| self.members[p.items[0]].item.knots * self.members[p.items[1]].item.knots)
-            .sum()
     }
 }

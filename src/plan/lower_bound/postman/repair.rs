@@ -1,11 +1,9 @@
-//! Feasible numbers near those of the smooth problem, their value, and the certificate of it.
+//! Feasible numbers near those of the smooth problem, and their value.
 
-use super::super::certificate::{Certified, unit, units};
+use super::super::certificate::unit;
 use super::super::net::Item;
 use super::super::pairs::box_seconds;
-use super::super::priced_cuts::Part;
-use super::super::stop_certificate::{CutPart, PricedParts, StopCertificate};
-use super::cut::{Partition, whole};
+use super::cut::whole;
 use super::{StopBound, Stops};
 
 /// Rounds of lowering prices until no leg is paid more than it takes. In the last one there are no prices left.
@@ -14,54 +12,26 @@ const ROUNDS: usize = 24;
 const LOWER: f64 = 0.9;
 /// Rounds of adding pairs that are not listed but would be used.
 const TRIES: usize = 3;
-impl StopBound {
-    /// What each leg of all pairs takes, less the prices of the cuts that it crosses, table by table. `takes`: what it takes by its seconds.
-    pub(super) fn adjusted(&self, takes: impl Fn(f64) -> f64) -> Vec<f64> {
-        let mut cost = Vec::with_capacity(self.numbers());
-        self.each_table(|_, _, table| cost.extend(table.iter().map(|&s| takes(s))));
-        let mut starts = Vec::with_capacity(self.pairs.list.len());
-        let mut at = 0;
-        self.each_table(|_, _, table| {
-            starts.push(at);
-            at += table.len();
-        });
-        for cut in self.cuts.iter().filter(|c| c.price > 0.0) {
-            let price = cut.leg_price();
-            for (k, parts) in &cut.held {
-                for &(e, side) in &self.pairs.of[*k] {
-                    let other = self.pairs.list[e].items[1 - side];
-                    let there = cut.of(other);
-                    if there.is_some() && other < *k {
-                        continue;
-                    }
-                    let m = self.members[self.pairs.list[e].items[1]].item.knots;
-                    let knots = self.members[other].item.knots;
-                    for (v, &part) in parts.iter().enumerate() {
-                        for w in 0..knots {
-                            if there.map_or(0, |t| t[w]) != part {
-                                let (i, j) = if side == 0 { (v, w) } else { (w, v) };
-                                cost[starts[e] + i * m + j] -= price;
-                            }
-                        }
-                    }
-                }
-            }
-        }
-        cost
-    }
 
+/// A leg that is still paid more than it takes.
+struct BadLeg {
+    items: [usize; 2],
+    knots: [usize; 2],
+}
+
+impl StopBound {
     /// Writes down what the numbers prove after they are repaired, if it is more than before, and adds pairs that would be used.
-    /// Returns the value of the repaired numbers, up to rounding.
-    pub(super) fn look(&mut self) -> f64 {
+    /// Returns the work done.
+    pub(super) fn look(&mut self) -> u64 {
         let kept = (self.potential.clone(), self.cuts.iter().map(|c| c.price).collect::<Vec<_>>());
-        let mut value = 0.0;
+        let mut work = 0;
         for _ in 0..TRIES {
-            self.repair();
-            value = self.worth();
+            work += self.repair();
+            let value = self.worth();
             let missing = self.missing();
             if missing.is_empty() {
                 if value > self.best * (1.0 + super::WORTH_PROVING) {
-                    self.prove();
+                    work += self.prove();
                 }
                 break;
             }
@@ -72,24 +42,26 @@ impl StopBound {
         }
         self.potential = kept.0;
         self.cuts.iter_mut().zip(kept.1).for_each(|(c, price)| c.price = price);
-        value
+        work
     }
 
     /// Lowers potentials, and prices where that is not enough, until no leg is paid more than it takes and no further stop
-    /// is worth less than nothing. Everything is a whole number of units from then on, so that sums are exact.
-    fn repair(&mut self) {
+    /// is worth less than nothing. Everything is a whole number of units from then on, so that sums are exact. Returns the work done.
+    fn repair(&mut self) -> u64 {
         let items: Vec<Item> = self.members.iter().map(|m| m.item.clone()).collect();
         let (power, guard) = unit(&items, &self.prices, &self.problem);
         let takes = |seconds: f64| whole(seconds - guard, power).max(0.0);
         let wished: Vec<f64> = self.potential.iter().map(|&u| whole(u, power)).collect();
+        self.cuts.iter_mut().for_each(|c| c.round(power));
+        let starts = self.table_starts();
+        let (mut cost, mut work) = self.adjusted(takes);
         for round in 0..=ROUNDS {
-            self.cuts.iter_mut().for_each(|c| c.round(power));
             self.price_stops();
             let floor = self.floors(power);
             self.potential.clone_from(&wished);
             self.potential.iter_mut().zip(&floor).for_each(|(u, f)| *u = u.max(*f));
-            let cost = self.adjusted(takes);
             let spared = self.spared();
+            work += cost.len() as u64;
             let (mut at, mut bad) = (0, Vec::new());
             for pair in &self.pairs.list {
                 let [n, m] = pair.items.map(|k| self.members[k].item.knots);
@@ -114,27 +86,39 @@ impl StopBound {
                         self.potential[i] -= of_i;
                         self.potential[j] -= of_j;
                         if over - of_i - of_j > 0.0 {
-                            bad.push((pair.items, [i - a, j - b]));
+                            bad.push(BadLeg { items: pair.items, knots: [i - a, j - b] });
                         }
                     }
                 }
             }
             if bad.is_empty() {
-                return;
+                break;
             }
             let lower = if round < ROUNDS / 2 { LOWER } else { LOWER * LOWER * LOWER };
-            for cut in self.cuts.iter_mut().filter(|c| c.price > 0.0) {
-                let of = |k: usize, v: usize| cut.of(k).map_or(0, |parts| parts[v]);
-                let divided: Vec<usize> = cut.divided().collect();
-                let hurts = |(items, [i, j]): &([usize; 2], [usize; 2])| {
-                    of(items[0], *i) != of(items[1], *j)
-                        || items.iter().any(|k| divided.binary_search(k).is_ok())
+            let mut bad_of: Vec<Vec<&BadLeg>> = vec![Vec::new(); self.members.len()];
+            bad.iter().for_each(|leg| leg.items.iter().for_each(|&k| bad_of[k].push(leg)));
+            let mut cuts = std::mem::take(&mut self.cuts);
+            for cut in cuts.iter_mut().filter(|c| c.price > 0.0) {
+                let crosses = |leg: &BadLeg| {
+                    let [p, q] =
+                        [0, 1].map(|end| cut.of(leg.items[end]).map_or(0, |parts| parts[leg.knots[end]]));
+                    p != q
                 };
-                if bad.iter().any(hurts) {
+                let hurts = cut.held.iter().any(|(k, parts)| {
+                    let divided = parts.windows(2).any(|w| w[0] != w[1]);
+                    let bad = &bad_of[*k];
+                    !bad.is_empty() && (divided || bad.iter().any(|leg| crosses(leg)))
+                });
+                if hurts {
+                    let before = cut.leg_price();
                     cut.price *= if round + 1 >= ROUNDS { 0.0 } else { lower };
+                    cut.round(power);
+                    work += self.charge(&mut cost, &starts, cut, before - cut.leg_price());
                 }
             }
+            self.cuts = cuts;
         }
+        work
     }
 
     /// The least potential of each knot with which a further stop there is worth no less than nothing.
@@ -204,7 +188,11 @@ impl StopBound {
                 self.potential[knots].iter().fold(f64::NEG_INFINITY, |m, &u| m.max(u))
             })
             .collect();
-        let all: f64 = self.cuts.iter().map(|c| c.leg_price()).sum();
+        // A leg crosses no cut that holds neither of its items.
+        let mut credit = vec![0.0; count];
+        for cut in &self.cuts {
+            cut.held.iter().for_each(|(k, _)| credit[*k] += cut.leg_price());
+        }
         let (mut missing, mut known) = (Vec::new(), vec![usize::MAX; count]);
         for a in self.first..count {
             for &(e, side) in &self.pairs.of[a] {
@@ -215,7 +203,7 @@ impl StopBound {
                 let q = self.members[b].item.around;
                 // The room for rounding is small beside the factor.
                 let seconds = box_seconds(&self.prices, p.min, p.max, q.min, q.max) * (1.0 - 1e-9) - 1e-9;
-                if seconds >= most[a] + most[b] + all {
+                if seconds >= most[a] + most[b] + credit[a] + credit[b] {
                     continue;
                 }
                 let crossed = self.cuts.iter().filter(|c| c.price > 0.0 && c.may_cross([a, b]));
@@ -226,55 +214,4 @@ impl StopBound {
         }
         missing
     }
-
-    /// Takes over what the repaired numbers prove, if it is more than before.
-    fn prove(&mut self) {
-        let Some(proof) = self.written() else { return };
-        if let Ok(seconds) = proof.check(&self.problem)
-            && seconds > self.best
-        {
-            self.best = seconds;
-            self.proof = Some(proof);
-        }
-    }
-
-    /// The certificate of the repaired numbers; `None` if its numbers do not fit each other, which a fault of this program would be.
-    fn written(&self) -> Option<StopCertificate> {
-        let items: Vec<Item> = self.members.iter().map(|m| m.item.clone()).collect();
-        let (power, _) = unit(&items, &self.prices, &self.problem);
-        let of_knots = |k: usize| {
-            let knots = self.base[k]..self.base[k] + self.members[k].item.knots;
-            self.potential[knots].iter().map(|&u| units(u, power)).collect()
-        };
-        let priced = |c: &Partition| PricedParts {
-            parts: parts(c),
-            price: units(c.price / (c.visited.len() + 1) as f64, power),
-        };
-        let mut certificate = StopCertificate {
-            unit: power,
-            knots: items.iter().map(|i| i.along.clone()).collect(),
-            potentials: (0..items.len()).map(of_knots).collect(),
-            cuts: self.cuts.iter().map(priced).filter(|c| c.price > 0).collect(),
-            bound: 0,
-        };
-        certificate.bound = i64::try_from(certificate.adds_up_to(&self.problem).ok()?).ok()?;
-        Some(certificate)
-    }
-}
-
-/// The parts of a cut as a certificate lists them.
-fn parts(cut: &Partition) -> Vec<CutPart> {
-    let mut parts: Vec<CutPart> =
-        cut.visited.iter().map(|v| CutPart { members: Vec::new(), some: Vec::new(), visited: *v }).collect();
-    for (item, of) in &cut.held {
-        for (number, part) in (1..).zip(&mut parts) {
-            let knots: Vec<usize> = of.iter().enumerate().filter(|p| *p.1 == number).map(|p| p.0).collect();
-            if knots.len() == of.len() {
-                part.members.push(*item);
-            } else if !knots.is_empty() {
-                part.some.push(Part { item: *item, knots });
-            }
-        }
-    }
-    parts
 }

@@ -24,8 +24,9 @@ const FEW: f64 = 1e-3;
 
 impl StopBound {
     /// Selects the legs that are cheap enough to matter at this temperature, and which cuts they cross.
-    pub(super) fn select(&mut self) {
-        let cost = self.adjusted(|s| s);
+    /// Returns the work done.
+    pub(super) fn select(&mut self) -> u64 {
+        let (cost, work) = self.adjusted(|s| s);
         self.active.clear();
         self.starts.clear();
         let most = CUTOFF * self.temperature;
@@ -74,6 +75,7 @@ impl StopBound {
                 part[self.base[*k]..self.base[*k] + parts.len()].fill(0);
             }
         }
+        work
     }
 
     /// Moves all potentials and all prices once.
@@ -90,6 +92,7 @@ impl StopBound {
             }
         }
         self.price_stops();
+        self.smooth = self.cuts.iter().map(|c| c.price * c.whole()).sum();
         self.want();
         self.offer();
         let by = STEP * self.temperature;
@@ -134,16 +137,21 @@ impl StopBound {
             let pay = &self.pay[base..base + n];
             let (wanted, stay) = (&mut self.wanted[base..base + n], &mut self.stay[base..base + n]);
             match &member.stops {
-                Stops::End => (wanted[0], stay[0]) = (1.0, 1.0),
+                Stops::End => {
+                    self.smooth += potential[0];
+                    (wanted[0], stay[0]) = (1.0, 1.0);
+                }
                 Stops::Anywhere(again) => {
                     let worth = |v: usize| 2.0 * potential[v] + pay[v];
                     let low = (0..n).map(worth).fold(f64::INFINITY, f64::min);
                     let total: f64 = (0..n).map(|v| exp((low - worth(v)) * colder)).sum();
+                    self.smooth += low - self.temperature * ln(total);
                     for v in 0..n {
                         let mut stops = exp((low - worth(v)) * colder) / total;
                         if let Some(again) = again {
                             let more = often(again + worth(v) - self.refund[k]);
                             self.again[k] += more;
+                            self.smooth -= self.temperature * more;
                             stops += more;
                         }
                         (wanted[v], stay[v]) = (2.0 * stops, stops);
@@ -153,6 +161,7 @@ impl StopBound {
                     let worth = |v: usize| potential[v] + potential[v + 1] + pay[v];
                     let low = (0..n).step_by(2).map(worth).fold(f64::INFINITY, f64::min);
                     let total: f64 = (0..n).step_by(2).map(|v| exp((low - worth(v)) * colder)).sum();
+                    self.smooth += low - self.temperature * ln(total);
                     for v in (0..n).step_by(2) {
                         let stops = exp((low - worth(v)) * colder) / total;
                         (wanted[v], wanted[v + 1], stay[v]) = (stops, stops, stops);
@@ -172,6 +181,7 @@ impl StopBound {
                     let all: Vec<f64> = choices.iter().map(soft).collect();
                     let low = all.iter().fold(f64::INFINITY, |m, &w| m.min(w));
                     let total: f64 = all.iter().map(|w| exp((low - w) * colder)).sum();
+                    self.smooth += low - self.temperature * ln(total);
                     for (choice, w) in choices.iter().zip(&all) {
                         let chosen = exp((low - w) * colder) / total;
                         let mut add = |s: &super::Stop, stops: f64| {
@@ -204,5 +214,6 @@ impl StopBound {
             self.offered[j] += uses;
             self.uses.push(uses);
         }
+        self.smooth -= self.temperature * self.uses.iter().sum::<f64>();
     }
 }
