@@ -61,8 +61,10 @@ const COLD: f64 = 0.001;
 const COOLER: f64 = 0.5;
 /// By what the temperature is raised after pieces were halved: it moves potentials to where the new knots need them.
 const WARMER: f64 = 4.0;
-/// Factor between the last temperatures of two rounds: more knots have more legs at hand, each of which is used a little.
-const COOLER_ROUND: f64 = 0.8;
+/// Factor between the last temperatures of two rounds: more knots have more legs at hand, each of which is used a little. While pieces are
+/// long, it is soon more worth to halve them.
+const COOLER_ROUND: f64 = 0.6;
+const COOLER_ROUGH: f64 = 0.8;
 /// Steps between two evaluations.
 const STEPS: usize = 50;
 /// Evaluations after which the gain is looked at, and the share of the value that is worth more steps at this temperature.
@@ -251,7 +253,8 @@ impl StopBound {
     /// Lowers the temperature; at the last one, halves pieces and starts a round again.
     fn cool(&mut self) {
         self.before = f64::NEG_INFINITY;
-        let last = (0..self.rounds).fold(WARM, |t, _| t * COOLER_ROUND).max(COLD) * self.mean;
+        let cooler = |round: usize| if round < ROUGH { COOLER_ROUGH } else { COOLER_ROUND };
+        let last = (0..self.rounds).fold(WARM, |t, round| t * cooler(round)).max(COLD) * self.mean;
         if self.temperature > last * 1.001 {
             self.temperature = (self.temperature * COOLER).max(last);
             return;
