@@ -92,7 +92,9 @@ export function markdown(lines) {
     const [runs, [lkh]] = [of(US), of(LKH)];
     const middle = (values) => (values.length > 0 ? median(values) : undefined);
     const after = marks.map((m) => middle(runs.map((r) => r.after[m]).filter((v) => v !== undefined)));
-    const beside = lkh && after.at(-1) !== undefined ? `${whole(lkh.value)} (${percent(lkh.value, after.at(-1))}, ${lkh.seconds.toFixed(0)} s)` : '';
+    // Ours after as many seconds as LKH was given.
+    const ours = lkh && after[marks.indexOf(lkh.limit)];
+    const beside = ours !== undefined ? `${whole(lkh.value)} (${percent(lkh.value, ours)}, ${lkh.seconds.toFixed(0)} s)` : '';
     const cells = [whole(lines.find((l) => l.instance === name).sets), runs.map((r) => `${r.seed}${r.checked === 'coordinates' ? '' : '*'}`).sort().join(', '), whole(middle(runs.map((r) => r.first))), ...after.map(whole)];
     const best = runs.length > 0 ? Math.min(...runs.map((r) => r.value)) : undefined;
     const memory = Math.max(0, ...runs.map((r) => r.memory ?? 0));
