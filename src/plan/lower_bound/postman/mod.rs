@@ -225,7 +225,7 @@ impl StopBound {
     }
 
     /// Adds cuts and lowers the temperature where the smooth value rises slowly. Repaired numbers are looked at before that, and when the steps
-    /// since the last look took as long as it did.
+    /// since the last look, whose own work is counted with theirs, took as long as it did.
     fn evaluate(&mut self) -> u64 {
         self.steps = 0;
         self.evaluations += 1;
