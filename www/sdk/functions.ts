@@ -4,7 +4,7 @@
  */
 
 import { quietAtClose } from './closed.js';
-import { isRefusedOffBed } from './doubt.js';
+import { stopIfRefusedOffBed } from './doubt.js';
 import { KerfwayError } from './errors.js';
 import { checkOptions, planning, reading, terms } from './options.js';
 import { readBytes, type Bytes, type Source } from './bytes.js';
@@ -134,8 +134,7 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
         const handle = planner.plan(search, report);
         stop = () => handle.stop();
         if (stopped) stop();
-        const { findings } = await Promise.race([handle.started, handle.done]);
-        if (isRefusedOffBed(options.outputs ?? [], options, findings)) stop();
+        await stopIfRefusedOffBed(handle, options.outputs ?? [], options);
         const { progress, ...rest } = await handle.done;
         const { path, summary, moves, seconds } = progress;
         if (path === null) throw new KerfwayError('planner-died', 'The plan ended before it had a path.');

@@ -1,6 +1,6 @@
 /** The common part of `plan` and `quote`: plans drawings one after the other with one planner. */
 
-import { doubtAbout, hasProgram, isRefusedOffBed } from '../doubt.js';
+import { doubtAbout, hasProgram, stopIfRefusedOffBed } from '../doubt.js';
 import { budgeted, type DefaultBudget } from '../functions.js';
 import { checkOptions, DEFAULT_SECONDS, given } from '../options.js';
 import { bounded } from '../bound.js';
@@ -140,8 +140,7 @@ async function searched(planner: Planner, options: PlanOptions, proving: ProofBu
   process.once('SIGINT', stop);
   try {
     // Errors of the plan come first: what cannot be planned cannot be proven either.
-    const { findings } = await Promise.race([plan.started, plan.done]);
-    if (isRefusedOffBed(outputs, options, findings)) plan.stop();
+    await stopIfRefusedOffBed(plan, outputs, options);
     prover = proving === null ? null : planner.prove(proving);
     const [result, proof] = await Promise.all([plan.done, prover?.done ?? null]);
     const summary = bounded(result.progress.summary, proof?.seconds ?? 0);
