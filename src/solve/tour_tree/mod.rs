@@ -69,8 +69,7 @@ impl Solver for TourTree {
         SolverInfo {
             name: "tour-tree",
             title: "Kerfway",
-            about: "Order, entry and direction searched together: local search with annealed kicks, better every \
-                    moment.",
+            about: "Order, entry and direction searched together; the path improves at every moment.",
             source: None,
         }
     }
