@@ -66,7 +66,7 @@ impl Partition {
 
     /// The items that lie in several parts.
     pub(super) fn divided(&self) -> impl Iterator<Item = usize> + '_ {
-        self.held.iter().filter(|h| h.1.windows(2).any(|w| w[0] != w[1])).map(|h| h.0)
+        self.held.iter().filter(|h| in_several(&h.1)).map(|h| h.0)
     }
 
     /// The knots whose stops are counted: of which item, and which.
@@ -78,6 +78,11 @@ impl Partition {
             },
         )
     }
+}
+
+/// Whether an item whose knots are in these parts lies in several of them.
+pub(super) fn in_several(parts: &[u32]) -> bool {
+    parts.windows(2).any(|w| w[0] != w[1])
 }
 
 /// Seconds rounded down to whole units, which are this power of two.

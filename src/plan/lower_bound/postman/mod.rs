@@ -71,7 +71,7 @@ const STEPS: usize = 50;
 const EVALUATIONS: usize = 4;
 const WORTH: f64 = 0.003;
 const WORTH_ROUGH: f64 = 0.02;
-/// Rounds that end at the warm temperature, with pieces that are still long.
+/// Rounds with pieces that are still long: they end at temperatures that fall slowly, and are over sooner.
 const ROUGH: usize = 4;
 /// Gain for which a certificate is written and checked.
 const WORTH_PROVING: f64 = 0.005;
@@ -115,7 +115,7 @@ pub struct StopBound {
     temperature: f64,
     steps: usize,
     evaluations: usize,
-    /// Work of the last look at repaired numbers, and since then.
+    /// Work of the last look at repaired numbers, and of the steps since then.
     look_work: u64,
     since_look: u64,
     rounds: usize,
@@ -211,7 +211,10 @@ impl StopBound {
 
     /// Does one step, or evaluates after [`STEPS`] of them. Returns the work done.
     fn once(&mut self) -> u64 {
-        let work = if self.steps < STEPS { self.one_step() } else { self.evaluate() };
+        if self.steps >= STEPS {
+            return self.evaluate();
+        }
+        let work = self.one_step();
         self.since_look += work;
         work
     }
@@ -225,7 +228,7 @@ impl StopBound {
     }
 
     /// Adds cuts and lowers the temperature where the smooth value rises slowly. Repaired numbers are looked at before that, and when the steps
-    /// since the last look, whose own work is counted with theirs, took as long as it did.
+    /// since the last look took as long as it did.
     fn evaluate(&mut self) -> u64 {
         self.steps = 0;
         self.evaluations += 1;
@@ -237,7 +240,7 @@ impl StopBound {
             cooler = gained < worth * self.best.max(self.mean);
         }
         let mut work = 0;
-        if cooler || self.since_look >= 2 * self.look_work {
+        if cooler || self.since_look >= self.look_work {
             work += self.look();
             (self.look_work, self.since_look) = (work, 0);
         }

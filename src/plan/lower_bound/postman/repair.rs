@@ -3,7 +3,7 @@
 use super::super::certificate::unit;
 use super::super::net::Item;
 use super::super::pairs::box_seconds;
-use super::cut::whole;
+use super::cut::{in_several, whole};
 use super::{StopBound, Stops};
 
 /// Rounds of lowering prices until no leg is paid more than it takes. In the last one there are no prices left.
@@ -105,9 +105,8 @@ impl StopBound {
                     p != q
                 };
                 let hurts = cut.held.iter().any(|(k, parts)| {
-                    let divided = parts.windows(2).any(|w| w[0] != w[1]);
                     let bad = &bad_of[*k];
-                    !bad.is_empty() && (divided || bad.iter().any(|leg| crosses(leg)))
+                    !bad.is_empty() && (in_several(parts) || bad.iter().any(|leg| crosses(leg)))
                 });
                 if hurts {
                     let before = cut.leg_price();
