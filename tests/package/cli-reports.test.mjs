@@ -24,6 +24,7 @@ describe('reports of the command line', () => {
   it('only nothing is shown as 0', () => {
     assert.deepEqual([0, 0.2, 344].map(meters), ['0.000 m', 'under 0.001 m', '0.344 m']);
     assert.deepEqual([0, 0.02, 0.05, 119.94, 119.96].map(duration), ['0.0 s', 'under 0.1 s', '0.1 s', '119.9 s', '2 min 00 s']);
+    assert.deepEqual([7199.4, 7199.6, 11_040, 11_069, 11_071, 90_000].map(duration), ['119 min 59 s', '2 h 00 min', '3 h 04 min', '3 h 04 min', '3 h 05 min', '25 h 00 min']);
     assert.deepEqual([0.002, 0.011].map(millimetres), ['under 0.01 mm', '0.01 mm']);
     assert.deepEqual([0.0004, 0.4, 9.99, 344, 15_000].map(area), ['under 0.01 mm²', '0.40 mm²', '9.99 mm²', '344 mm²', '0.0150 m²']);
     assert.deepEqual([0.001, 0.4, 8.1, 12.4, 2500].map(grams), ['under 0.01 g', '0.40 g', '8.10 g', '12 g', '2.50 kg']);

@@ -1,5 +1,6 @@
 /** The words of a report, and how it writes numbers: English, and what another language has to say. */
 
+import { duration } from './cli/words.js';
 import type { Finding, Operation, Severity, Unit, UnitsTaken } from './protocol.js';
 
 /** How a report is written. */
@@ -88,14 +89,6 @@ export interface ReportWords {
 const SOURCES: Record<UnitsTaken['source'], string> = { header: 'stated in the file', guessed: 'guessed', given: 'chosen' };
 
 const number = (value: number) => String(Math.round(value * 100) / 100);
-
-/** "42.3 s", "16:40 min", "1:02:03 h". */
-function duration(s: number): string {
-  if (s < 99.95) return `${s.toFixed(1)} s`;
-  const whole = Math.round(s);
-  const two = (n: number) => String(n).padStart(2, '0');
-  return whole < 3600 ? `${Math.floor(whole / 60)}:${two(whole % 60)} min` : `${Math.floor(whole / 3600)}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)} h`;
-}
 
 /** English, in millimetres. */
 export const ENGLISH: ReportText = {

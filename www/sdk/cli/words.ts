@@ -13,11 +13,16 @@ export function meters(mm: number): string {
   return `${fixed(mm / 1000, 3)} m`;
 }
 
-/** A time given in seconds; from two minutes on in minutes and seconds. */
+/** A time given in seconds: "42.3 s", from two minutes on "16 min 40 s", from two hours on "3 h 04 min". */
 export function duration(s: number): string {
   if (s < 119.95) return `${fixed(s, 1)} s`;
-  const minutes = Math.floor(Math.round(s) / 60);
-  return `${minutes} min ${String(Math.round(s) - 60 * minutes).padStart(2, '0')} s`;
+  return s < 7199.5 ? inSixties(s, 'min', 's') : inSixties(s / 60, 'h', 'min');
+}
+
+/** A number of small units, of which sixty make a large one. */
+function inSixties(small: number, largeUnit: string, smallUnit: string): string {
+  const whole = Math.round(small);
+  return `${Math.floor(whole / 60)} ${largeUnit} ${String(whole % 60).padStart(2, '0')} ${smallUnit}`;
 }
 
 /** A ratio in per cent, with two decimals below one per cent. */
