@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { beamRuns, changedFrom, download, drop, grid, openPage, phase, planned, sample, steady, still } from './page-support.mjs';
+import { beamRuns, changedFrom, download, drop, grid, nextFrames, openPage, phase, planned, sample, steady, still } from './page-support.mjs';
 
 /** The job's time as the panel shows it, s. */
 const best = (page) => page.locator('.compare .solid td').first().textContent();
@@ -147,10 +147,21 @@ test('the page asks about uncertain units before it plans', async (t) => {
   await drop(page, 'doubt.dxf', grid(8, { units: null, step: 0.012 }));
   await phase(page, 'question');
   const card = page.getByRole('region', { name: 'How large is this drawing?' });
+  await page.waitForFunction(() => document.activeElement.matches('.card.question'));
+  const answers = await card.getByRole('button').evaluateAll((all) => all.map((b) => [b.lastElementChild.textContent, b.className]));
+  assert.deepEqual(answers, [['in millimetres', ''], ['in inches · guessed', ''], ['in centimetres', ''], ['in metres', '']], 'none is proposed');
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('Space');
+  await nextFrames(page, 10);
+  assert.equal(await page.evaluate(() => document.body.dataset.phase), 'question', 'no key answers before an answer is chosen');
+  assert.equal(await page.locator('.dock').getByRole('button', { name: /G-code/ }).isVisible(), false);
   await card.getByRole('button', { name: /inches/ }).click();
   await phase(page, 'planning', 'done');
   assert.match(await page.locator('.units').textContent(), /in.*chosen by you/);
   assert.equal(await card.isVisible(), false);
+  await page.keyboard.press('Control+z');
+  await card.waitFor();
+  assert.equal(await page.evaluate(() => document.body.dataset.phase), 'question', 'it is asked again when the answer is taken back');
 });
 
 test('findings are listed by kind, and one click shows their place', async (t) => {

@@ -21,7 +21,7 @@ const OFFERED: readonly UnitChoice[] = [{ units: 'mm' }, { units: 'in' }, { unit
 const OFFERED_FOR_PIXELS: readonly UnitChoice[] = [{ dpi: 96 }, { dpi: 90 }, { dpi: 72 }, { units: 'mm' }];
 
 export function questionCard(session: Session): HTMLElement {
-  const root = h('section', { class: 'card question', 'aria-labelledby': 'question', hidden: true });
+  const root = h('section', { class: 'card question', 'aria-labelledby': 'question', tabindex: -1, hidden: true });
   let asked = '';
   session.store.on('change', ({ question, loaded, phase }) => {
     const now = question && loaded && phase === 'question' ? `${question} ${loaded.sha256} ${loaded.units.unit}` : '';
@@ -30,7 +30,8 @@ export function questionCard(session: Session): HTMLElement {
     root.hidden = now === '';
     if (!loaded || now === '') return;
     root.replaceChildren(...CARDS[question!](session, loaded));
-    root.querySelector('button')?.focus({ preventScroll: true });
+    // An answer that has to be chosen is not the one that the next key gives.
+    (root.querySelector<HTMLElement>('.primary') ?? root).focus({ preventScroll: true });
   });
   return root;
 }
@@ -65,14 +66,16 @@ const MM_PER_INCH = 25.4;
 function units(session: Session, loaded: Loaded): HTMLElement[] {
   const { unit, dpi } = loaded.units;
   const now: UnitChoice = dpi === null ? { units: unit } : { dpi };
-  const others = (unit === 'px' ? OFFERED_FOR_PIXELS : OFFERED).filter((c) => !isTaken(loaded, c));
-  // An answer is a choice even if it is what was guessed: it is no longer a guess then.
-  const choice = (c: UnitChoice, primary: boolean) =>
-    h('button', { type: 'button', class: primary ? 'primary' : '', onclick: () => session.drawing.setUnits(c) }, h('span', {}, sizeIn(session.state, c)), h('span', {}, c.dpi === undefined ? words.question.in(words.unitNames[c.units ?? 'px']) : words.question.dpi(c.dpi)));
+  const offered = unit === 'px' ? OFFERED_FOR_PIXELS : OFFERED;
+  // None is proposed: the page does not know, and a wrong unit makes the job 25 times too large or too small. What the planner took says where it is from.
+  const choice = (c: UnitChoice) => {
+    const name = c.dpi === undefined ? words.question.in(words.unitNames[c.units ?? 'px']) : words.question.dpi(c.dpi);
+    return h('button', { type: 'button', onclick: () => session.drawing.setUnits(c) }, h('span', {}, sizeIn(session.state, c)), h('span', {}, isTaken(loaded, c) ? `${name} · ${words.unitSources[loaded.units.source]}` : name));
+  };
   return [
     h('h2', { id: 'question' }, words.question.size),
     h('p', {}, loaded.units.reason),
-    h('div', { class: 'choices' }, choice(now, true), ...others.map((c) => choice(c, false))),
+    h('div', { class: 'choices' }, ...[...offered, ...(offered.some((c) => isTaken(loaded, c)) ? [] : [now])].map(choice)),
   ];
 }
 

@@ -132,7 +132,6 @@ export class Drawing {
 
   /** Reads the drawing in a unit, or in pixels of a resolution. */
   setUnits({ units, dpi }: Pick<LoadOptions, 'units' | 'dpi'>): void {
-    this.answered.add('units');
     const { units: _, dpi: __, ...load } = this.store.state.load;
     void this.choose({ ...load, ...(units === undefined ? {} : { units }), ...(dpi === undefined ? {} : { dpi }) });
   }
@@ -196,7 +195,8 @@ export class Drawing {
     const { loaded, load } = this.store.state;
     if (!loaded) return;
     const damaged = loaded.findings.some((f) => f.code === 'damaged-entity');
-    if (loaded.units.doubtful && !this.answered.has('units')) this.store.ask('units');
+    // A unit that was chosen is not in doubt; it is again when the choice is undone.
+    if (loaded.units.doubtful) this.store.ask('units');
     else if (damaged && !load.keepDamaged && !this.answered.has('damaged')) this.store.ask('damaged');
     else if (borderInDoubt(loaded) && !this.answered.has('border')) this.store.ask('border');
     else {
