@@ -43,6 +43,13 @@ export function button(label: string, props: Props & { icon?: IconName; iconOnly
   return h('button', { type: 'button', ...extra, ...rest }, name ? icon(name) : null, iconOnly ? null : h('span', {}, label));
 }
 
+/** Disables a button while there is a reason for that, which is then its tooltip and its description. */
+export function disable(control: HTMLButtonElement, why: string): void {
+  control.dataset.usual ??= control.title;
+  control.disabled = why !== '';
+  control.title = why || control.dataset.usual;
+}
+
 /** Sets the text of an element if it differs, so that screen readers and the layout do not notice when it does not. */
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;

@@ -1,4 +1,4 @@
-/** Keyboard shortcuts. They act only while no form control has the focus, so typing a number never plays the cut. */
+/** Keyboard shortcuts. They act while no form control but a switch has the focus, so typing a number never plays the cut. */
 
 export type Bindings = Record<string, (event: KeyboardEvent) => void>;
 
@@ -9,9 +9,9 @@ export function bindKeys(bindings: Bindings): void {
     if (event.altKey || event.defaultPrevented) return;
     const command = event.ctrlKey || event.metaKey;
     const target = event.target as HTMLElement;
-    if (target.closest('input, select, textarea, [contenteditable], dialog, [popover]')) return;
-    // Space and Enter act on the button or the disclosure that has the focus.
-    if ((event.key === ' ' || event.key === 'Enter') && target.closest('button, summary, a')) return;
+    if (target.closest('input:not([type=checkbox]), select, textarea, [contenteditable], dialog, [popover]')) return;
+    // Space and Enter act on the button, the switch or the disclosure that has the focus.
+    if ((event.key === ' ' || event.key === 'Enter') && target.closest('button, summary, a, input')) return;
     if (event.key.startsWith('Arrow') && target.closest('.order-scroll') && /Up|Down/.test(event.key)) return;
     const arrow = event.key.startsWith('Arrow');
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;

@@ -1,6 +1,6 @@
 /** The dialect of G-code: a shipped one, or a document of one's own with a live preview of the first lines of a program. */
 
-import { button, h } from '../core/dom.js';
+import { button, disable, h } from '../core/dom.js';
 import { choose, save } from '../core/files.js';
 import { messageOf } from '../core/strings.js';
 import type { Dialect, MachineProfile } from 'kerfway';
@@ -65,7 +65,7 @@ export function dialectEditor(session: Session, edit: (change: (m: MachineProfil
       const lines = program.split(/\r?\n/);
       preview.textContent = lines.slice(0, SHOWN).join('\n') + (lines.length > SHOWN ? '\n…' : '');
       problem.textContent = '';
-      take.disabled = JSON.stringify(document) === JSON.stringify(current());
+      disable(take, JSON.stringify(document) === JSON.stringify(current()) ? w.same : '');
     } catch (error) {
       if (now === asked) problem.textContent = messageOf(error);
     }

@@ -1,6 +1,6 @@
 /** The files that were dropped together: how many are planned, and the state of each. */
 
-import { button, h, icon, setText } from '../core/dom.js';
+import { button, disable, h, icon, setText } from '../core/dom.js';
 import { save } from '../core/files.js';
 import { count, seconds } from '../core/format.js';
 import { menuItem, popover } from '../core/menu.js';
@@ -20,7 +20,7 @@ export function fileList(queue: Queue): Node[] {
     list.replaceChildren(
       ...queue.items.map((item, i) => menuItem(item.file.name, about(item), item === queue.current, () => queue.openAt(i))),
       h('div', { class: 'menu-foot' }, all));
-    all.disabled = !queue.items.some((item) => item.gcode !== null);
+    disable(all, queue.items.some((item) => item.gcode !== null) ? '' : words.files.none);
   };
   const panel = popover(opener, words.files.title, list, fill);
   queue.on('change', (items) => {

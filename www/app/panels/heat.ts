@@ -3,6 +3,7 @@
 import { h } from '../core/dom.js';
 import type { Heat, MachineProfile } from 'kerfway';
 import { words } from '../core/words/index.js';
+import { obstacle } from './exclusions.js';
 import { check, field, type Measure, numberInput } from './section.js';
 
 type Name = 'distance' | 'seconds' | 'charge' | 'thickness' | 'ratio';
@@ -33,11 +34,10 @@ export function heatPanel(set: (change: ((heat: Heat) => void) | null) => void):
   const more = h('div', { class: 'stack' }, ...inputs.map((i) => i.row), h('p', { class: 'soft' }, w.about));
   return {
     root: h('div', { class: 'stack' }, on.root, more),
-    show({ levers, pre_cut_time }) {
-      const heat = levers?.heat;
+    show(machine) {
+      const heat = machine.levers?.heat;
       on.input.checked = Boolean(heat);
-      // What is cut on the run, cut together or left unfinished is not planned with heat in mind.
-      on.input.disabled = !heat && (levers?.fly != null || levers?.common_cuts != null || typeof pre_cut_time === 'number');
+      on.bar(obstacle(machine, 'heat'));
       more.hidden = !heat;
       if (!heat) return;
       for (const { q, show, row } of inputs) {

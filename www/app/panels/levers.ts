@@ -4,6 +4,7 @@ import { h } from '../core/dom.js';
 import type { MachineProfile } from 'kerfway';
 import { words } from '../core/words/index.js';
 import { cornersPanel } from './corners.js';
+import { obstacle } from './exclusions.js';
 import { heatPanel } from './heat.js';
 import { check, field, numberInput } from './section.js';
 import { tipsPanel } from './tips.js';
@@ -112,32 +113,28 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
   return {
     root: h('div', { class: 'stack' }, moving.root, more, fly.root, run, chains.root, joined, bridges.root, strips, shared.root, aboutShared, corners.root, lift.root, about, tips.root, heat.root),
     show(machine) {
-      const { levers, pre_cut_time, sharp_corner, z_speed } = machine;
+      const { levers, z_speed } = machine;
       tips.show(machine);
       heat.show(machine);
       corners.show(machine);
       const pierce = levers?.moving_pierce, lifting = levers?.lift;
       moving.input.checked = Boolean(pierce);
-      // A machine that leaves contours unfinished pierces at rest.
-      moving.input.disabled = !pierce && typeof pre_cut_time === 'number';
+      moving.bar(obstacle(machine, 'moving_pierce'));
       more.hidden = !pierce;
       overcut.show(pierce?.overcut ?? 0);
       fly.input.checked = Boolean(levers?.fly);
-      // What is cut on the run follows at once, so nothing can cool.
-      fly.input.disabled = !levers?.fly && (typeof pre_cut_time === 'number' || levers?.heat != null || levers?.bridges != null);
+      fly.bar(obstacle(machine, 'fly'));
       run.hidden = !levers?.fly;
       reach.show(levers?.fly?.reach ?? FLY.reach);
       again.show(levers?.fly?.overcut ?? 0);
       chains.input.checked = Boolean(levers?.chains);
-      // Chains are for machines that cut each contour in one go, and turn corners with the beam on.
-      chains.input.disabled = !levers?.chains && (typeof pre_cut_time === 'number' || sharp_corner != null);
+      chains.bar(obstacle(machine, 'chains'));
       joined.hidden = !levers?.chains;
       chainReach.show(levers?.chains?.reach ?? CHAINS.reach);
       clearance.show(levers?.chains?.clearance ?? CHAINS.clearance);
       edges.input.checked = levers?.chains?.edge_starts === true;
       bridges.input.checked = Boolean(levers?.bridges);
-      // What bridges connect is cut in one go.
-      bridges.input.disabled = !levers?.bridges && (typeof pre_cut_time === 'number' || levers?.fly != null);
+      bridges.bar(obstacle(machine, 'bridges'));
       strips.hidden = !levers?.bridges;
       width.show(levers?.bridges?.width ?? BRIDGES.width);
       span.show(levers?.bridges?.reach ?? BRIDGES.reach);
@@ -145,8 +142,7 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
       most.show(levers?.bridges?.most ?? 0);
       cutLater.input.checked = levers?.bridges?.cut_later === true;
       shared.input.checked = Boolean(levers?.common_cuts);
-      // What is left unfinished for others, may tip or has to cool is not planned with them.
-      shared.input.disabled = !levers?.common_cuts && (typeof pre_cut_time === 'number' || levers?.tips != null || levers?.heat != null);
+      shared.bar(obstacle(machine, 'common_cuts'));
       aboutShared.hidden = !levers?.common_cuts;
       shift.show(levers?.common_cuts?.shift ?? 0);
       shiftParts.input.checked = levers?.common_cuts?.shift_parts === true;

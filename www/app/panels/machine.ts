@@ -3,7 +3,9 @@
 import { button, h } from '../core/dom.js';
 import type { MachineProfile } from 'kerfway';
 import type { Session } from '../session/session.js';
+import { sayWhatElse } from './also.js';
 import { dialectEditor } from './dialect.js';
+import { allowPartialCuts, obstacle } from './exclusions.js';
 import { jointsPanel } from './joints.js';
 import { leadsPanel } from './leads.js';
 import { leversPanel } from './levers.js';
@@ -55,7 +57,7 @@ const QUANTITIES: readonly Quantity[] = [
   { label: words.machine.rapidAccelY, unit: 'mm/s²', least: 1, get: (m) => m.rapid.accel?.[1] ?? null, set: (m, v) => (m.rapid.accel = [m.rapid.accel?.[0] ?? v, v]) },
   { label: words.machine.corners, unit: 'mm', least: 0, get: (m) => m.junction_deviation, set: (m, v) => (m.junction_deviation = v) },
   { label: words.machine.pierce, unit: 's', least: 0, get: (m) => m.pierce_time, set: (m, v) => (m.pierce_time = v) },
-  { label: words.machine.preCut, unit: 's', least: 0, none: words.machine.whole, get: (m) => m.pre_cut_time ?? null, set: (m, v) => (m.pre_cut_time = v) },
+  { label: words.machine.preCut, unit: 's', least: 0, none: words.machine.whole, get: (m) => m.pre_cut_time ?? null, set: allowPartialCuts },
   { label: words.machine.preCutLength, unit: 'mm', least: 0, get: (m) => m.pre_cut_length ?? 0, set: (m, v) => (m.pre_cut_length = v) },
   { label: words.machine.sharpAngle, unit: '°', least: 0, none: words.machine.noPauses, get: (m) => degrees(m.sharp_corner?.angle), set: (m, v) => (m.sharp_corner = { ...PAUSE, ...m.sharp_corner, angle: Math.min(v, 180) * DEGREE }) },
   { label: words.machine.sharpTime, unit: 's', least: 0, get: (m) => m.sharp_corner?.time ?? null, none: words.machine.noPauses, set: (m, v) => (m.sharp_corner = { ...PAUSE, ...m.sharp_corner, time: v }) },
@@ -101,9 +103,8 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
   travel.root.classList.add('wide');
   const home = check(words.machine.home, (on) => edit((m) => (m.return_home = on)));
   const partialCuts = check(words.machine.partialCuts, (on) => edit((m) => {
-    m.pre_cut_time = on ? PRE_CUT : null;
-    // Cuts that are left unfinished are pierced at rest.
-    if (on) delete m.levers;
+    if (on) allowPartialCuts(m, PRE_CUT);
+    else m.pre_cut_time = null;
   }));
   const pausing = check(words.machine.pausing, (on) => edit((m) => (m.sharp_corner = on ? PAUSE : null)));
   const inputs = QUANTITIES.map((q) => quantityInput(q, edit));
@@ -121,10 +122,14 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     h('div', { class: 'stack' }, field(words.machine.air, travel.root), ...QUANTITIES.flatMap((q, i) => [field(q.label, inputs[i]!.input, q.unit), hintOf(q)]), home.root,
       button(words.machine.start, { class: 'small', onclick: chooseHome }), back));
   body.append(h('div', { class: 'stack' }, choice.root, library.choice, partialCuts.root, pausing.root, levers.root, leads.root, joints.root, skeleton.root, dialect.root, advanced, library.root, fitting, own.root));
+  const whatElse = sayWhatElse(body);
+  let shown: MachineProfile | null = null;
 
   const show = () => {
     const { machine } = session.state;
     if (!machine) return;
+    if (machine !== shown) whatElse.forget();
+    shown = machine;
     const original = preset();
     const changed = original !== undefined && JSON.stringify(original) !== JSON.stringify(machine);
     setGist(changed ? words.machine.changed(machine.title) : machine.title);
@@ -133,8 +138,7 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     home.input.checked = machine.return_home;
     partialCuts.input.checked = typeof machine.pre_cut_time === 'number';
     pausing.input.checked = Boolean(machine.sharp_corner);
-    // Contours that are joined through waste are turned with the beam on.
-    pausing.input.disabled = !machine.sharp_corner && machine.levers?.chains != null;
+    pausing.bar(obstacle(machine, 'pausing'));
     back.hidden = !changed;
     own.show(machine);
     dialect.show(machine);

@@ -1,6 +1,6 @@
 /** Where the job lies on the bed: as drawn, or one of nine points of the job at a place; turning, dragging, and what the coordinates mean. */
 
-import { button, h, setText } from '../core/dom.js';
+import { button, disable, h, setText } from '../core/dom.js';
 import { size } from '../core/format.js';
 import { shownIn, typed, written } from '../core/lengths.js';
 import { sentenceOf } from '../core/strings.js';
@@ -67,7 +67,7 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
     const { place } = placing;
     none.hidden = Boolean(machine.bed);
     drag.hidden = show.hidden = placing.start === 'current';
-    show.disabled = !machine.bed;
+    disable(show, machine.bed ? '' : words.placement.noBed);
     mode.fill([{ value: 'drawn', label: words.placement.asDrawn }, { value: 'placed', label: words.placement.atPoint }], place === null ? 'drawn' : 'placed');
     start.fill([{ value: 'absolute', label: words.placement.absolute }, { value: 'current', label: words.placement.current }], placing.start);
     where.hidden = place === null;

@@ -1,6 +1,6 @@
 /** The result: the seconds saved, the orders compared, the chart, what the job time consists of, downloads. */
 
-import { button, h, setText } from '../core/dom.js';
+import { button, disable, h, setText } from '../core/dom.js';
 import { count, metres, millimetres, percent, seconds } from '../core/format.js';
 import { type OutputKind, PROVEN, type Summary } from 'kerfway';
 import type { Alternatives } from '../session/alternatives.js';
@@ -44,7 +44,7 @@ export function resultPanel(session: Session, theme: Theme, { download, saveProj
   const files = h('div', { class: 'downloads', role: 'group', 'aria-label': words.result.download },
     ...buttons.slice(0, 1), copy, ...buttons.slice(1), button(words.result.report, { class: 'small', title: words.result.reportHint, onclick: saveReport }), button(words.result.project, { class: 'small', title: words.result.projectHint, onclick: saveProject }));
   const check = preflight(session, (passed) => {
-    buttons[0]!.disabled = copy.disabled = !passed;
+    for (const program of [buttons[0]!, copy]) disable(program, passed ? '' : words.preflight.fails);
     session.store.programChecked(passed);
   });
   const insights = h('div', { hidden: true });

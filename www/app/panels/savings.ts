@@ -20,9 +20,9 @@ export function savingsPanel(session: Session, alternatives: () => Promise<Alter
   const reset = () => {
     asked += 1;
     list.replaceChildren();
-    note.textContent = '';
     ask.hidden = false;
     ask.disabled = session.state.phase !== 'done';
+    note.textContent = ask.disabled ? words.savings.notYet : '';
   };
   const work = async () => {
     const now = (asked += 1);

@@ -42,11 +42,25 @@ export function field(label: string, control: HTMLElement, unit?: string): HTMLL
   return h('label', { class: 'field' }, h('span', { class: 'field-label' }, label), h('span', { class: 'field-control' }, control, unit !== undefined ? h('span', { class: 'unit' }, shownIn(unit).unit) : null));
 }
 
-/** A checkbox with its label. */
-export function check(label: string, onChange: (on: boolean) => void): { root: HTMLLabelElement; input: HTMLInputElement } {
+/** A checkbox with its label. `bar` says below it why it cannot be switched on; with an empty reason it can be. */
+export function check(label: string, onChange: (on: boolean) => void): { root: HTMLLabelElement; input: HTMLInputElement; bar(why: string): void } {
   const input = h('input', { type: 'checkbox' });
   input.addEventListener('change', () => onChange(input.checked));
-  return { root: h('label', { class: 'check' }, input, h('span', {}, label)), input };
+  const { root: reason, bar } = barrier(input);
+  return { root: h('label', { class: 'check' }, input, h('span', {}, label), reason), input, bar };
+}
+
+/** Disables a control while there is a reason for that, and shows the reason. It is a description to screen readers, and no part of the name. */
+export function barrier(control: HTMLInputElement | HTMLSelectElement): { root: HTMLElement; bar(why: string): void } {
+  const root = h('span', { class: 'soft reason', 'aria-hidden': true });
+  const bar = (why: string) => {
+    root.hidden = !why;
+    control.disabled = Boolean(why);
+    setText(root, why);
+    control.setAttribute('aria-description', why);
+  };
+  bar('');
+  return { root, bar };
 }
 
 /** A number that is typed, in its own unit; a length is typed in the unit that the person has chosen. */

@@ -3,7 +3,8 @@
 import { h } from '../core/dom.js';
 import type { MachineProfile, RiskyMoves, Tips } from 'kerfway';
 import { words } from '../core/words/index.js';
-import { check, field, type Measure, numberInput, select } from './section.js';
+import { obstacle } from './exclusions.js';
+import { barrier, check, field, type Measure, numberInput, select } from './section.js';
 
 type Name = 'nozzle_radius' | 'margin' | 'pitch' | 'angle' | 'tips_below' | 'drops_below' | 'cross_over';
 
@@ -34,17 +35,17 @@ export function tipsPanel(set: (change: ((tips: Tips) => void) | null) => void):
     const { input, show } = numberInput({ ...q, placeholder: q.empty === undefined ? undefined : w.unknown }, (value) => set((tips) => change(tips, q.name, value)));
     return { q, show, row: field(w[q.name], input, q.unit) };
   });
-  const wanted = field(w.riskyMoves, moves.root);
-  const more = h('div', { class: 'stack' }, wanted, ...inputs.map((i) => i.row), h('p', { class: 'soft' }, w.about));
+  const onlyMarked = barrier(moves.root);
+  const more = h('div', { class: 'stack' }, field(w.riskyMoves, moves.root), onlyMarked.root, ...inputs.map((i) => i.row), h('p', { class: 'soft' }, w.about));
   return {
     root: h('div', { class: 'stack' }, on.root, more),
-    show({ levers, pre_cut_time }) {
-      const tips = levers?.tips;
+    show(machine) {
+      const tips = machine.levers?.tips;
       on.input.checked = Boolean(tips);
-      on.input.disabled = !tips && levers?.common_cuts != null;
+      on.bar(obstacle(machine, 'tips'));
       more.hidden = !tips;
       // A machine that leaves contours unfinished cannot avoid them.
-      wanted.hidden = typeof pre_cut_time === 'number';
+      onlyMarked.bar(typeof machine.pre_cut_time === 'number' ? words.machine.first(words.machine.partialCuts) : '');
       if (!tips) return;
       moves.fill(MOVES.map((value) => ({ value, label: w.moves[value] })), tips.risky_moves ?? 'avoid');
       for (const { q, show, row } of inputs) {

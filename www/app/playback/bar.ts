@@ -22,10 +22,13 @@ export function playbackBar(playback: Playback): Node[] {
   });
   speed.addEventListener('change', () => (playback.speed = SPEEDS[speed.selectedIndex]?.[1] ?? null));
 
+  let wasReady = false;
   const show = () => {
     const { time, total } = playback;
     const ready = total > 0;
     play.disabled = slider.disabled = !ready;
+    if (ready !== wasReady) showState();
+    wasReady = ready;
     const at = ready ? Math.round((time / total) * STEPS) : STEPS;
     if (slider.valueAsNumber !== at) slider.value = String(at);
     slider.style.setProperty('--share', String(at / STEPS));
@@ -35,7 +38,7 @@ export function playbackBar(playback: Playback): Node[] {
   };
   const showState = () => {
     const label = playback.playing ? words.playback.pauseKey : words.playback.playKey;
-    play.title = label;
+    play.title = play.disabled ? words.playback.none : label;
     play.setAttribute('aria-label', label);
     play.replaceChildren(icon(playback.playing ? 'pause' : 'play'));
   };

@@ -215,7 +215,7 @@ export const de: Words = {
   },
 
   files: {
-    title: 'Dateien', all: 'G-Code aller Dateien', done: (n, of) => `${n} von ${of}`, label: (n, of) => `Dateien: ${n} von ${of} fertig`,
+    none: 'Noch ist kein Programm fertig.', title: 'Dateien', all: 'G-Code aller Dateien', done: (n, of) => `${n} von ${of}`, label: (n, of) => `Dateien: ${n} von ${of} fertig`,
     waiting: 'Wartet', planning: 'Wird geplant', question: 'Braucht eine Antwort von Ihnen', failed: 'Kann nicht geplant werden', planned: 'Geplant',
     plannedIn: (time) => `Geplant: ${time}`, nothing: 'In dieser Datei gibt es nichts zu schneiden.',
   },
@@ -289,6 +289,7 @@ export const de: Words = {
   },
 
   machine: {
+    first: (others) => `Zuerst ausschalten: ${others}.`, also: (others) => `Auch geändert: ${others}.`, on: 'an', off: 'aus',
     title: 'Maschine', preset: 'Voreinstellung', changed: (title) => `${title}, geändert`, home: 'Am Ende zum Start zurück', partialCuts: 'Unterbrochene Schnitte erlauben', pausing: 'In spitzen Ecken warten', back: 'Zurück zur Voreinstellung',
     advanced: 'Erweiterte Einstellungen', air: 'Leerfahrten', start: 'Start auf der Tafel wählen', unlimited: 'unbegrenzt', whole: 'in einem Zug',
     travel: { straight: 'Gerade, Grenzen je Achse', vector: 'Gerade, eine Geschwindigkeit', 'per-axis': 'Achsen fahren unabhängig' },
@@ -408,7 +409,7 @@ export const de: Words = {
   },
 
   savings: {
-    title: 'Was spart was', about: 'Jede Entscheidung wird einmal weggelassen und der Rest neu geplant.', ask: 'Ausrechnen', working: 'Rechnet…',
+    notYet: 'Zuerst muss der Plan fertig sein.', title: 'Was spart was', about: 'Jede Entscheidung wird einmal weggelassen und der Rest neu geplant.', ask: 'Ausrechnen', working: 'Rechnet…',
     decisions: { order: 'Reihenfolge, statt nächste zuerst', entry: 'Einstiche, statt wo Linien beginnen', common: 'Gemeinsame Seiten einmal schneiden', partial: 'Konturen unfertig lassen', leads: 'Anfahrten', 'moving-pierce': 'Schnitte in Bewegung beginnen', fly: 'Schneiden im Flug', chains: 'Schnitte durch den Abfall zwischen Konturen', 'edge-starts': 'Starts in einem Schnitt', bridges: 'Brücken zwischen Teilen', 'common-cuts': 'Gemeinsame Seiten zusammen schneiden', 'lift-on-the-way': 'Kopf auf dem Weg heben', 'stay-down': 'Unten bleiben auf kurzen Wegen', 'avoid-tips': 'Gekippten Teilen ausweichen, statt immer zu heben', heat: 'Schnitte abkühlen lassen', corners: 'In Ecken nicht anhalten', 'flying-joints': 'Mikrostege ohne Halt' },
     saves: (time) => `spart ${time}`, costs: (time) => `kostet ${time}`, done: (s) => `Pläne ohne eine Entscheidung wurden je bis zu ${s} s gesucht.`,
   },
@@ -423,7 +424,7 @@ export const de: Words = {
   },
 
   dialect: {
-    title: 'G-Code-Dialekt', own: 'Dialekt bearbeiten', document: 'Dialektdokument (JSON)', preview: 'Erste Zeilen eines Programms', take: 'Diesen Dialekt verwenden', import: 'Importieren', export: 'Exportieren',
+    same: 'Die Maschine verwendet diesen Dialekt schon.', title: 'G-Code-Dialekt', own: 'Dialekt bearbeiten', document: 'Dialektdokument (JSON)', preview: 'Erste Zeilen eines Programms', take: 'Diesen Dialekt verwenden', import: 'Importieren', export: 'Exportieren',
     hint: 'Ein Dialekt sagt, wie Ihre Steuerung Leistung, Wartezeiten und Einheiten versteht. Ändern Sie ihn hier und geben Sie ihm einen eigenen Namen.', mine: (title) => `${title} (Ihrer)`,
     noJson: (why) => `Das ist kein JSON: ${why}.`,
   },
@@ -462,7 +463,7 @@ export const de: Words = {
   stage: { bed: (size) => `Arbeitsbereich ${size}`, first: 'erste', last: 'letzte', common: 'von zwei Teilen geteilt', colours: 'Farben nach Reihenfolge (C)', layers: 'Farben der Layer wie gezeichnet (V)', air: 'Leerfahrten (A)', several: 'Mehrere auswählen: Klicks fügen hinzu, Ziehen zeichnet einen Rahmen (B)', measure: 'Zwischen zwei Punkten messen (D)', measuring: 'Klicken Sie zwei Punkte an: sie rasten an Enden und Mittelpunkten ein. Esc beendet das.', view: 'Ansicht', zoomIn: 'Vergrößern (+)', zoomOut: 'Verkleinern (−)', fit: 'Tafel einpassen (F)' },
 
   playback: {
-    play: 'Abspielen', moment: 'Zeit im Auftrag', speed: 'Geschwindigkeit', whole: 'Ganzer Auftrag in 20 s', pauseKey: 'Den Schnitt anhalten (Leertaste)', playKey: 'Den Schnitt abspielen (Leertaste)',
+    none: 'Noch gibt es keinen Plan zum Abspielen.', play: 'Abspielen', moment: 'Zeit im Auftrag', speed: 'Geschwindigkeit', whole: 'Ganzer Auftrag in 20 s', pauseKey: 'Den Schnitt anhalten (Leertaste)', playKey: 'Den Schnitt abspielen (Leertaste)',
     at: (time, total, contour, of) => `${time} von ${total}, Kontur ${contour} von ${of}`,
   },
 

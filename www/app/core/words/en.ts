@@ -164,7 +164,7 @@ export const en = {
   },
 
   files: {
-    title: 'Files', all: 'G-code of all files', done: (n: string, of: string) => `${n} of ${of}`, label: (n: string, of: string) => `Files: ${n} of ${of} done`,
+    none: 'No program is ready yet.', title: 'Files', all: 'G-code of all files', done: (n: string, of: string) => `${n} of ${of}`, label: (n: string, of: string) => `Files: ${n} of ${of} done`,
     waiting: 'Waiting', planning: 'Planning', question: 'Needs an answer from you', failed: 'Cannot be planned', planned: 'Planned',
     plannedIn: (time: string) => `Planned: ${time}`, nothing: 'There is nothing to cut in this file.',
   },
@@ -238,6 +238,7 @@ export const en = {
   },
 
   machine: {
+    first: (others: string) => `First switch off: ${others}.`, also: (others: string) => `Also changed: ${others}.`, on: 'on', off: 'off',
     title: 'Machine', preset: 'Preset', changed: (title: string) => `${title}, changed`, home: 'Return home at the end', partialCuts: 'Allow partial cuts', pausing: 'Pause in sharp corners', back: 'Back to the preset',
     advanced: 'Advanced settings', air: 'Air moves', start: 'Choose the start on the sheet', unlimited: 'no limit', whole: 'in one go',
     travel: { straight: 'Straight line, per-axis limits', vector: 'Straight line, one speed', 'per-axis': 'Axes move independently' },
@@ -357,7 +358,7 @@ export const en = {
   },
 
   savings: {
-    title: 'What saves what', about: 'Each decision is left out once, and the rest is planned again.', ask: 'Work it out', working: 'Working…',
+    notYet: 'The plan has to be done first.', title: 'What saves what', about: 'Each decision is left out once, and the rest is planned again.', ask: 'Work it out', working: 'Working…',
     decisions: { order: 'Order, instead of nearest first', entry: 'Entries, instead of where lines begin', common: 'Cutting shared sides once', partial: 'Leaving contours unfinished', leads: 'Leads', 'moving-pierce': 'Beginning cuts moving', fly: 'Cuts on the run', chains: 'Cuts through waste between contours', 'edge-starts': 'Starts on a kerf', bridges: 'Bridges', 'common-cuts': 'Cutting shared sides together', 'lift-on-the-way': 'Lifting the head on the way', 'stay-down': 'Staying down on short moves', 'avoid-tips': 'Avoiding pieces that tip, instead of always lifting', heat: 'Letting cuts cool', corners: 'Not stopping in corners', 'flying-joints': 'Joints without a stop' } satisfies Record<Decision, string>,
     saves: (time: string) => `saves ${time}`, costs: (time: string) => `costs ${time}`, done: (s: number) => `Plans without a decision were searched for up to ${s} s each.`,
   },
@@ -372,7 +373,7 @@ export const en = {
   },
 
   dialect: {
-    title: 'G-code dialect', own: 'Edit the dialect', document: 'Dialect document (JSON)', preview: 'First lines of a program', take: 'Use this dialect', import: 'Import', export: 'Export',
+    same: 'The machine uses this dialect already.', title: 'G-code dialect', own: 'Edit the dialect', document: 'Dialect document (JSON)', preview: 'First lines of a program', take: 'Use this dialect', import: 'Import', export: 'Export',
     hint: 'A dialect says how your controller takes power, waits and units. Change it here, and give it a name of its own.', mine: (title: string) => `${title} (yours)`,
     noJson: (why: string) => `This is not JSON: ${why}.`,
   },
@@ -411,7 +412,7 @@ export const en = {
   stage: { bed: (size: string) => `bed ${size}`, first: 'first', last: 'last', common: 'shared by two parts', colours: 'Colour by order (C)', layers: 'Colours of layers as drawn (V)', air: 'Air moves (A)', several: 'Select several: clicks add, dragging draws a box (B)', measure: 'Measure between two points (D)', measuring: 'Click two points: they snap to ends and centres. Esc ends it.', view: 'View', zoomIn: 'Zoom in (+)', zoomOut: 'Zoom out (−)', fit: 'Fit the sheet (F)' },
 
   playback: {
-    play: 'Play', moment: 'Time in the job', speed: 'Speed', whole: 'Whole job in 20 s', pauseKey: 'Pause the cut (Space)', playKey: 'Play the cut (Space)',
+    none: 'There is no plan to play yet.', play: 'Play', moment: 'Time in the job', speed: 'Speed', whole: 'Whole job in 20 s', pauseKey: 'Pause the cut (Space)', playKey: 'Play the cut (Space)',
     at: (time: string, total: string, contour: number, of: number) => `${time} of ${total}, contour ${contour} of ${of}`,
   },
 

@@ -215,7 +215,7 @@ export const es: Words = {
   },
 
   files: {
-    title: 'Archivos', all: 'G-code de todos los archivos', done: (n, of) => `${n} de ${of}`, label: (n, of) => `Archivos: ${n} de ${of} listos`,
+    none: 'Aún no hay ningún programa listo.', title: 'Archivos', all: 'G-code de todos los archivos', done: (n, of) => `${n} de ${of}`, label: (n, of) => `Archivos: ${n} de ${of} listos`,
     waiting: 'En espera', planning: 'Planificando', question: 'Necesita una respuesta suya', failed: 'No se puede planificar', planned: 'Planificado',
     plannedIn: (time) => `Planificado: ${time}`, nothing: 'No hay nada que cortar en este archivo.',
   },
@@ -289,6 +289,7 @@ export const es: Words = {
   },
 
   machine: {
+    first: (others) => `Antes desactive: ${others}.`, also: (others) => `También ha cambiado: ${others}.`, on: 'activado', off: 'desactivado',
     title: 'Máquina', preset: 'Ajuste predefinido', changed: (title) => `${title}, modificada`, home: 'Volver al inicio al acabar', partialCuts: 'Permitir cortes parciales', pausing: 'Pausa en esquinas agudas', back: 'Volver al ajuste predefinido',
     advanced: 'Ajustes avanzados', air: 'Movimientos en vacío', start: 'Elegir el inicio en la chapa', unlimited: 'sin límite', whole: 'de una vez',
     travel: { straight: 'Línea recta, límites por eje', vector: 'Línea recta, una velocidad', 'per-axis': 'Ejes independientes' },
@@ -408,7 +409,7 @@ export const es: Words = {
   },
 
   savings: {
-    title: 'Qué ahorra qué', about: 'Cada decisión se quita una vez y el resto se planifica de nuevo.', ask: 'Calcularlo', working: 'Calculando…',
+    notYet: 'Antes tiene que terminar el plan.', title: 'Qué ahorra qué', about: 'Cada decisión se quita una vez y el resto se planifica de nuevo.', ask: 'Calcularlo', working: 'Calculando…',
     decisions: { order: 'Orden, en vez del más cercano primero', entry: 'Perforaciones, en vez de donde empiezan las líneas', common: 'Cortar una vez los lados comunes', partial: 'Dejar contornos sin acabar', leads: 'Entradas', 'moving-pierce': 'Empezar los cortes en movimiento', fly: 'Cortes al vuelo', chains: 'Cortes por el sobrante entre contornos', 'edge-starts': 'Inicios en un corte', bridges: 'Puentes entre piezas', 'common-cuts': 'Cortar juntos los lados comunes', 'lift-on-the-way': 'Levantar el cabezal por el camino', 'stay-down': 'Quedarse abajo en trayectos cortos', 'avoid-tips': 'Evitar piezas que se levantan, en vez de levantar siempre', heat: 'Dejar enfriar los cortes', corners: 'No parar en las esquinas', 'flying-joints': 'Microuniones sin parada' },
     saves: (time) => `ahorra ${time}`, costs: (time) => `cuesta ${time}`, done: (s) => `Los planes sin una decisión se buscaron hasta ${s} s cada uno.`,
   },
@@ -423,7 +424,7 @@ export const es: Words = {
   },
 
   dialect: {
-    title: 'Dialecto de G-code', own: 'Editar el dialecto', document: 'Documento del dialecto (JSON)', preview: 'Primeras líneas de un programa', take: 'Usar este dialecto', import: 'Importar', export: 'Exportar',
+    same: 'La máquina ya usa este dialecto.', title: 'Dialecto de G-code', own: 'Editar el dialecto', document: 'Documento del dialecto (JSON)', preview: 'Primeras líneas de un programa', take: 'Usar este dialecto', import: 'Importar', export: 'Exportar',
     hint: 'Un dialecto dice cómo entiende su controlador la potencia, las esperas y las unidades. Cámbielo aquí y dele un nombre propio.', mine: (title) => `${title} (suyo)`,
     noJson: (why) => `Esto no es JSON: ${why}.`,
   },
@@ -462,7 +463,7 @@ export const es: Words = {
   stage: { bed: (size) => `mesa ${size}`, first: 'primero', last: 'último', common: 'compartido por dos piezas', colours: 'Color por orden (C)', layers: 'Colores de las capas como están dibujadas (V)', air: 'Movimientos en vacío (A)', several: 'Seleccionar varios: los clics añaden, arrastrar dibuja un recuadro (B)', measure: 'Medir entre dos puntos (D)', measuring: 'Haga clic en dos puntos: se ajustan a extremos y centros. Esc termina.', view: 'Vista', zoomIn: 'Acercar (+)', zoomOut: 'Alejar (−)', fit: 'Encajar la chapa (F)' },
 
   playback: {
-    play: 'Reproducir', moment: 'Tiempo en el trabajo', speed: 'Velocidad', whole: 'Todo el trabajo en 20 s', pauseKey: 'Pausar el corte (Espacio)', playKey: 'Reproducir el corte (Espacio)',
+    none: 'Aún no hay ningún plan que reproducir.', play: 'Reproducir', moment: 'Tiempo en el trabajo', speed: 'Velocidad', whole: 'Todo el trabajo en 20 s', pauseKey: 'Pausar el corte (Espacio)', playKey: 'Reproducir el corte (Espacio)',
     at: (time, total, contour, of) => `${time} de ${total}, contorno ${contour} de ${of}`,
   },
 

@@ -212,7 +212,7 @@ export const ja: Words = {
   },
 
   files: {
-    title: 'ファイル', all: 'すべてのファイルの G コード', done: (n, of) => `${n} / ${of}`, label: (n, of) => `ファイル：${of} 件中 ${n} 件完了`,
+    none: 'プログラムはまだできていません。', title: 'ファイル', all: 'すべてのファイルの G コード', done: (n, of) => `${n} / ${of}`, label: (n, of) => `ファイル：${of} 件中 ${n} 件完了`,
     waiting: '待機中', planning: '計画中', question: '回答が必要です', failed: '計画できません', planned: '計画済み',
     plannedIn: (time) => `計画済み：${time}`, nothing: 'このファイルには切断するものがありません。',
   },
@@ -286,6 +286,7 @@ export const ja: Words = {
   },
 
   machine: {
+    first: (others) => `先にオフにしてください：${others}。`, also: (others) => `これも変わりました：${others}。`, on: 'オン', off: 'オフ',
     title: '機械', preset: 'プリセット', changed: (title) => `${title}、変更あり`, home: '最後に開始位置へ戻る', partialCuts: '途中で止める切断を許可', pausing: '鋭い角で停止', back: 'プリセットに戻す',
     advanced: '詳細設定', air: '空走', start: '板の上で開始位置を選ぶ', unlimited: '制限なし', whole: '一度に',
     travel: { straight: '直線、軸ごとの上限', vector: '直線、単一速度', 'per-axis': '軸が独立に動く' },
@@ -405,7 +406,7 @@ export const ja: Words = {
   },
 
   savings: {
-    title: '何がどれだけ短縮するか', about: '決定を 1 つずつ外し、残りを計画し直します。', ask: '計算する', working: '計算中…',
+    notYet: '先に計画が完了する必要があります。', title: '何がどれだけ短縮するか', about: '決定を 1 つずつ外し、残りを計画し直します。', ask: '計算する', working: '計算中…',
     decisions: { order: '順番（近い順の代わり）', entry: '切り始め（線の始点の代わり）', common: '共有する辺を 1 回で切断', partial: '輪郭を途中で残す', leads: 'リード', 'moving-pierce': '動きながらの切断開始', fly: '走りながらの切断', chains: '輪郭の間の端材の切断', 'edge-starts': '切断線からの開始', bridges: '部品間のブリッジ', 'common-cuts': '共有する辺をまとめて切断', 'lift-on-the-way': '移動しながらヘッドを上げる', 'stay-down': '短い移動で下げたまま', 'avoid-tips': '起き上がる部品を避ける（常に上げる代わり）', heat: '切断部を冷ます', corners: '角で止まらない', 'flying-joints': '止まらないジョイント' },
     saves: (time) => `${time} 短縮`, costs: (time) => `${time} 増加`, done: (s) => `決定を外した計画はそれぞれ最大 ${s} 秒探索しました。`,
   },
@@ -420,7 +421,7 @@ export const ja: Words = {
   },
 
   dialect: {
-    title: 'G コードの方言', own: '方言を編集', document: '方言の文書（JSON）', preview: 'プログラムの最初の行', take: 'この方言を使う', import: '読み込む', export: '書き出す',
+    same: '機械はすでにこの方言を使っています。', title: 'G コードの方言', own: '方言を編集', document: '方言の文書（JSON）', preview: 'プログラムの最初の行', take: 'この方言を使う', import: '読み込む', export: '書き出す',
     hint: '方言は、制御装置が出力、待ち、単位をどう扱うかを示します。ここで変更し、自分の名前を付けてください。', mine: (title) => `${title}（自分の）`,
     noJson: (why) => `これは JSON ではありません：${why}。`,
   },
@@ -459,7 +460,7 @@ export const ja: Words = {
   stage: { bed: (size) => `ベッド ${size}`, first: '最初', last: '最後', common: '2 つの部品で共有', colours: '順番で色分け（C）', layers: 'レイヤーの元の色（V）', air: '空走（A）', several: '複数選択：クリックで追加、ドラッグで枠（B）', measure: '2 点間を測る（D）', measuring: '2 点をクリックしてください。端と中心に吸着します。Esc で終わります。', view: '表示', zoomIn: '拡大（+）', zoomOut: '縮小（−）', fit: '板を収める（F）' },
 
   playback: {
-    play: '再生', moment: 'ジョブ内の時刻', speed: '速さ', whole: 'ジョブ全体を 20 秒で', pauseKey: '再生を一時停止（スペース）', playKey: '切断を再生（スペース）',
+    none: '再生できる計画はまだありません。', play: '再生', moment: 'ジョブ内の時刻', speed: '速さ', whole: 'ジョブ全体を 20 秒で', pauseKey: '再生を一時停止（スペース）', playKey: '切断を再生（スペース）',
     at: (time, total, contour, of) => `${time} / ${total}、輪郭 ${of} 個中 ${contour} 番目`,
   },
 

@@ -212,7 +212,7 @@ export const zh: Words = {
   },
 
   files: {
-    title: '文件', all: '所有文件的 G 代码', done: (n, of) => `${n} / ${of}`, label: (n, of) => `文件：${of} 个中已完成 ${n} 个`,
+    none: '还没有可用的程序。', title: '文件', all: '所有文件的 G 代码', done: (n, of) => `${n} / ${of}`, label: (n, of) => `文件：${of} 个中已完成 ${n} 个`,
     waiting: '等待中', planning: '规划中', question: '需要您的回答', failed: '无法规划', planned: '已规划',
     plannedIn: (time) => `已规划：${time}`, nothing: '这个文件里没有可切割的内容。',
   },
@@ -286,6 +286,7 @@ export const zh: Words = {
   },
 
   machine: {
+    first: (others) => `请先关闭：${others}。`, also: (others) => `同时更改：${others}。`, on: '开', off: '关',
     title: '机器', preset: '预设', changed: (title) => `${title}，已更改`, home: '结束时返回起点', partialCuts: '允许分段切割', pausing: '在尖角处停顿', back: '恢复预设',
     advanced: '高级设置', air: '空移', start: '在板上选择起点', unlimited: '不限', whole: '一次完成',
     travel: { straight: '直线，各轴限速', vector: '直线，单一速度', 'per-axis': '各轴独立运动' },
@@ -405,7 +406,7 @@ export const zh: Words = {
   },
 
   savings: {
-    title: '各项节省', about: '每次去掉一项决定，其余重新规划。', ask: '计算', working: '计算中…',
+    notYet: '需要先完成规划。', title: '各项节省', about: '每次去掉一项决定，其余重新规划。', ask: '计算', working: '计算中…',
     decisions: { order: '顺序，而非最近优先', entry: '切入点，而非线的起点', common: '共用边只切一次', partial: '暂不切完轮廓', leads: '引线', 'moving-pierce': '运动中开始切割', fly: '飞行切割', chains: '轮廓之间穿过废料的切割', 'edge-starts': '从切缝开始', bridges: '零件间的连桥', 'common-cuts': '共用边一起切割', 'lift-on-the-way': '移动途中抬起切割头', 'stay-down': '短距离不抬起', 'avoid-tips': '避开可能翘起的零件，而非总是抬起', heat: '让切口冷却', corners: '拐角不停顿', 'flying-joints': '不停顿的微连接' },
     saves: (time) => `节省 ${time}`, costs: (time) => `多用 ${time}`, done: (s) => `去掉一项决定的方案各搜索了至多 ${s} 秒。`,
   },
@@ -420,7 +421,7 @@ export const zh: Words = {
   },
 
   dialect: {
-    title: 'G 代码方言', own: '编辑方言', document: '方言文档（JSON）', preview: '程序的前几行', take: '使用此方言', import: '导入', export: '导出',
+    same: '机器已在使用此方言。', title: 'G 代码方言', own: '编辑方言', document: '方言文档（JSON）', preview: '程序的前几行', take: '使用此方言', import: '导入', export: '导出',
     hint: '方言说明您的控制器如何理解功率、等待和单位。请在此修改，并给它起一个名字。', mine: (title) => `${title}（您的）`,
     noJson: (why) => `这不是 JSON：${why}。`,
   },
@@ -459,7 +460,7 @@ export const zh: Words = {
   stage: { bed: (size) => `工作台 ${size}`, first: '最先', last: '最后', common: '两个零件共用', colours: '按顺序着色（C）', layers: '图层原色（V）', air: '空移（A）', several: '选择多个：点击添加，拖动画框（B）', measure: '测量两点（D）', measuring: '点击两个点：会吸附到端点和中心。按 Esc 结束。', view: '视图', zoomIn: '放大（+）', zoomOut: '缩小（−）', fit: '适配板材（F）' },
 
   playback: {
-    play: '播放', moment: '任务中的时间', speed: '速度', whole: '20 秒播完整个任务', pauseKey: '暂停播放（空格）', playKey: '播放切割（空格）',
+    none: '还没有可播放的规划。', play: '播放', moment: '任务中的时间', speed: '速度', whole: '20 秒播完整个任务', pauseKey: '暂停播放（空格）', playKey: '播放切割（空格）',
     at: (time, total, contour, of) => `${time} / ${total}，第 ${contour} 个轮廓，共 ${of} 个`,
   },
 
