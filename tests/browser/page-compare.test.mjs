@@ -20,13 +20,13 @@ for (const [name, size] of Object.entries(SIZES)) {
       const orders = page.getByRole('group', { name: 'Before and after' });
       const now = await still(page);
       const jobs = {};
-      for (const [label, line] of [['Nearest', 'Nearest first'], ['As drawn', 'Drawing order'], ['Now', 'Now']]) {
+      for (const [label, line] of [['Nearest', 'Nearest first'], ['As drawn', 'As drawn'], ['Now', 'Now']]) {
         await orders.getByRole('button', { name: label, exact: true }).click();
         jobs[line] = inSeconds(await row(page, line));
         await page.waitForFunction((s) => Math.abs(document.querySelector('#playback .whole').textContent.replace(/[^\d:.]/g, '').split(':').reduce((sum, n) => 60 * sum + Number(n), 0) - s) < 1, jobs[line]);
         if (label !== 'Now') await changedFrom(page, now);
       }
-      assert.ok(jobs.Now <= jobs['Nearest first'] && jobs['Nearest first'] <= jobs['Drawing order'] + 60);
+      assert.ok(jobs.Now <= jobs['Nearest first'] && jobs['Nearest first'] <= jobs['As drawn'] + 60);
       await orders.getByRole('button', { name: 'Show side by side with the plan' }).click();
       await page.locator('.second').waitFor();
       await page.waitForFunction(() => /Nearest first · /.test(document.querySelector('.second-label').textContent));

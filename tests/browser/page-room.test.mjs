@@ -64,3 +64,22 @@ test('on a phone the sheet stays where it is while states follow each other, and
   assert.equal(answers.length, 4);
   for (const high of answers) assert.ok(high >= 44, `${high}`);
 });
+
+test('on a phone the file is named at the foot, cut in the middle if it is long, and the open sheet covers the playback', async (t) => {
+  const { page } = await openPage(t, { size: SIZES.phone, touch: true, hash: 'seconds=0.4' });
+  await phase(page, 'done');
+  const name = page.locator('.dock-file');
+  assert.deepEqual([await name.isVisible(), await name.textContent()], [true, 'sheet_500.dxf']);
+  const long = 'customer-4711_flange-plate_rev-C_3mm-stainless_final.dxf';
+  await drop(page, long, sample('no-units.dxf'));
+  await phase(page, 'question');
+  assert.equal(await name.textContent(), long);
+  const [begin, end] = await name.locator('span').evaluateAll((all) => all.map((e) => [e.textContent, e.scrollWidth > e.clientWidth, e.getBoundingClientRect().right]));
+  assert.deepEqual([begin[1], end[1], end[0]], [true, false, 'ss_final.dxf'], 'only the beginning is cut');
+  assert.ok(end[2] <= SIZES.phone.width - 16, `${end[2]}`);
+  // There is nothing to play yet, so the controls are transparent.
+  const slider = await page.locator('#playback input').boundingBox();
+  await page.locator('.sheet-toggle').click();
+  const covers = ([x, y]) => document.elementFromPoint(x, y).closest('#sections, #playback').id;
+  assert.equal(await page.evaluate(covers, [slider.x + slider.width / 2, slider.y + slider.height / 2]), 'sections');
+});

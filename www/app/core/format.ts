@@ -102,6 +102,11 @@ export function percent(ratio: number): string {
   return `${three(ratio * 100)} %`;
 }
 
+/** A text in which no line ends between a number and its unit. */
+export function unbroken(text: string): string {
+  return text.replace(/(\d) (s|m|mm|in|ft|km)\b/g, '$1\u00a0$2');
+}
+
 /** Large counts in a short form: 950, "12.3 thousand", "4.5 million". */
 export function short(n: number): string {
   if (n < 10_000) return count(n);

@@ -3,8 +3,9 @@
  * planning, Stop is the largest control.
  */
 
-import { button, h, setText } from '../core/dom.js';
-import { seconds, short } from '../core/format.js';
+import { button, disable, h, setText } from '../core/dom.js';
+import { fileName } from '../core/file-name.js';
+import { seconds, short, unbroken } from '../core/format.js';
 import { doneSentence } from '../core/strings.js';
 import { PROVEN } from 'kerfway';
 import type { Session } from '../session/session.js';
@@ -22,6 +23,8 @@ export interface DockActions {
 export function dock(session: Session, actions: DockActions): HTMLElement {
   const head = h('p', { class: 'dock-head' });
   const detail = h('p', { class: 'soft number' });
+  // On a phone, whose top bar has no room for it.
+  const name = fileName('dock-file soft');
   const bar = h('div', { class: 'budget', role: 'progressbar', 'aria-label': words.dock.progress, 'aria-valuemin': 0, 'aria-valuemax': 100 }, h('span'));
   const stop = button(words.dock.stop, { icon: 'stop', class: 'stop', onclick: () => session.planning.stop() });
   const pause = button(words.dock.pause, { icon: 'pause', onclick: () => session.planning.pause() });
@@ -31,7 +34,7 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
   const gcodeLabel = gcode.querySelector('span')!;
   const open = button(words.dock.choose, { icon: 'open', class: 'primary', onclick: actions.open });
   const sheet = button(words.dock.sheet, { icon: 'up', iconOnly: true, class: 'quiet sheet-toggle', 'aria-expanded': false, 'aria-controls': 'sections', onclick: actions.sheet });
-  const root = h('div', { class: 'dock' }, bar, h('div', { class: 'dock-state' }, h('div', {}, head, detail), sheet), h('div', { class: 'dock-actions' }, stop, pause, resume, more, gcode, open));
+  const root = h('div', { class: 'dock' }, bar, name.root, h('div', { class: 'dock-state' }, h('div', {}, head, detail), sheet), h('div', { class: 'dock-actions' }, stop, pause, resume, more, gcode, open));
 
   const show = (state: State) => {
     const { phase, progress } = state;
@@ -41,7 +44,7 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
     resume.hidden = phase !== 'paused';
     more.hidden = phase !== 'done' || state.reason === 'exhausted';
     gcode.hidden = phase !== 'done';
-    gcode.disabled = failsCheck(state) && !isOffBed(state);
+    disable(gcode, failsCheck(state) && !isOffBed(state) ? words.dock.fails : '');
     setText(gcodeLabel, words.result.kinds[state.machine?.takes ?? 'gcode']);
     open.hidden = phase !== 'failed' && phase !== 'ready';
     const busy = phase === 'starting' || phase === 'reading';
@@ -49,6 +52,7 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
     bar.classList.toggle('busy', busy);
     root.dataset.phase = phase;
     setText(head, headline(state));
+    name.show(state.name);
     setText(detail, detailOf(state));
     detail.hidden = detail.textContent === '';
     const share = progress ? Math.min(1, progress.seconds / state.budget) : 0;
@@ -84,10 +88,9 @@ function detailOf(state: State): string {
   const bound = progress.summary.gap === null || isOptimal(state) ? null : words.dock.gap(seconds(progress.summary.total_time - progress.summary.lower_bound));
   const refused = isOffBed(state) ? words.dock.offBed : failsCheck(state) ? words.dock.fails : null;
   // Why there is no G-code comes first, and leaves no room for more than the gain.
-  const pace = refused !== null ? null : phase === 'planning' ? words.dock.pace(short(Math.round(progress.rate))) : words.dock.moves(short(progress.moves));
+  const pace = refused !== null || progress.moves === 0 ? null : phase === 'planning' ? words.dock.pace(short(Math.round(progress.rate))) : words.dock.moves(short(progress.moves));
   const gain = (state.baselines?.greedy.total_time ?? 0) - progress.summary.total_time;
-  // A number and its unit stay on one line.
-  return [refused, gain > 0 ? words.dock.saved(seconds(gain)) : null, pace, bound].filter((part) => part !== null).join(', ').replace(/(\d) s\b/g, '$1\u00a0s');
+  return unbroken([refused, gain > 0 ? words.dock.saved(seconds(gain)) : null, pace, bound].filter((part) => part !== null).join(', '));
 }
 
 /** Whether the job is refused because of its place. The button stays, and says so with what to do. */

@@ -5,7 +5,7 @@
  */
 
 import { h, icon } from '../core/dom.js';
-import { count, metres, seconds } from '../core/format.js';
+import { count, metres, seconds, unbroken } from '../core/format.js';
 import { Latest } from '../core/latest.js';
 import { inChosenUnit } from '../core/lengths.js';
 import { messageOf } from '../core/strings.js';
@@ -34,7 +34,7 @@ export function preflight(session: Session, usable: (passed: boolean) => void): 
     root.classList.toggle('unchecked', unchecked);
     if (unchecked) verdict.replaceChildren(words.preflight.unchecked);
     else verdict.replaceChildren(icon(fails ? 'warning' : 'check'), fails ? words.preflight.fails : words.preflight.passes);
-    facts.textContent = known === 'nothing' ? '' : 'report' in known ? factsOf(known.report).join(' · ') : 'refused' in known ? known.refused : known.unchecked;
+    facts.textContent = known === 'nothing' ? '' : 'report' in known ? unbroken(factsOf(known.report).join(' · ')) : 'refused' in known ? known.refused : known.unchecked;
     const list = report?.problems ?? [];
     problems.replaceChildren(...list.slice(0, LISTED).map((p) => h('li', { class: p.severity }, p.count > 1 ? words.preflight.more(inChosenUnit(p.message), count(p.count - 1)) : inChosenUnit(p.message))));
     // What is not checked yet is checked while it is written, and is not handed out if it fails.

@@ -1,6 +1,7 @@
 /** The top bar: opening a file or a sample; the name, the units and the size of the drawing; undo, table, theme, help. */
 
 import { button, h, icon, setText } from '../core/dom.js';
+import { fileName } from '../core/file-name.js';
 import { menuItem, popover } from '../core/menu.js';
 import { extent } from '../core/format.js';
 import { SAMPLES, type Sample } from '../session/samples.js';
@@ -27,7 +28,7 @@ export function topBar(session: Session, queue: Queue, theme: Theme, actions: To
   samples.append(icon('down'));
   const list = h('div', { class: 'menu' }, ...SAMPLES.map((s) => menuItem(...sampleWords(s.file), false, () => actions.sample(s))));
 
-  const name = h('span', { class: 'file-name' });
+  const name = fileName('file-name');
   const units = h('button', { type: 'button', class: 'quiet units' });
   const unitList = h('div', { class: 'menu rows-only' });
   const unitMenu = popover(units, words.top.units, unitList, () => fillUnits(session, unitList));
@@ -51,8 +52,7 @@ export function topBar(session: Session, queue: Queue, theme: Theme, actions: To
 
   const show = () => {
     const { loaded, name: file, extent: [x0, y0, x1, y1] } = session.state;
-    setText(name, file);
-    name.title = file;
+    name.show(file);
     undo.disabled = !session.canUndo;
     redo.disabled = !session.canRedo;
     units.hidden = measure.hidden = loaded === null;
@@ -72,7 +72,7 @@ export function topBar(session: Session, queue: Queue, theme: Theme, actions: To
       h('div', { class: 'brand', 'aria-hidden': 'true' }, 'Kerfway'),
       button(words.top.open, { icon: 'open', class: 'quiet open', 'aria-label': words.top.openFile, onclick: actions.open }),
       samples, popover(samples, words.top.samples, list),
-      h('div', { class: 'file' }, name, ...fileList(queue), units, unitMenu, measure),
+      h('div', { class: 'file' }, name.root, ...fileList(queue), units, unitMenu, measure),
       h('div', { class: 'tools' }, undo, redo, table, ...settingsMenu(actions.restart), themes, button(words.top.help, { icon: 'help', iconOnly: true, class: 'quiet', onclick: actions.help }), panel),
     ],
     toggles: { table, panel },

@@ -249,7 +249,7 @@ export const de: Words = {
       nothing: 'Nichts würde sich ändern.', sentence: (all) => `${all.join(', ')}.`,
     },
     contours, openContours: (n, w) => counted(n, w, 'offene Kontur', 'offene Konturen'), parts,
-    version: (name) => (name.startsWith('SVG') ? name : `DXF ${name}`), show: (contour) => `Kontur ${contour}, auf der Tafel zeigen`,
+    version: (name) => (name.startsWith('SVG') ? name : `DXF ${name}`), show: (contour) => `Kontur ${contour}, auf der Tafel zeigen`,
     decided: { first: (list) => `Zuerst schneiden: ${list}`, last: (list) => `Zuletzt schneiden: ${list}`, mark: (list) => `Markiert: ${list}`, exclude: (list) => `Übersprungen: ${list}` },
     unpin: { first: 'Lösen', last: 'Lösen', mark: 'Schneiden', exclude: 'Wieder schneiden' }, others: (n) => `und ${n} weitere`,
     unpinAll: { first: 'Konturen lösen, die zuerst geschnitten werden', last: 'Konturen lösen, die zuletzt geschnitten werden', mark: 'Schneiden statt markieren', exclude: 'Wieder schneiden: übersprungene Konturen' },

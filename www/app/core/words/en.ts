@@ -183,7 +183,7 @@ export const en = {
       replaced: 'Stopped: the planner had to be restarted. The best path is kept.',
       stopped: 'Stopped. The best path is kept.',
     } satisfies Partial<Record<DoneReason, string>>,
-    improving: 'Time is up, still improving.', quiet: (time: string) => `Done. Nothing better for ${time}.`, second: 'a second',
+    improving: 'Time is up. More may be gained.', quiet: (time: string) => `Done. Nothing better for ${time}.`, second: 'a second',
   },
 
   drawing: {
@@ -198,7 +198,7 @@ export const en = {
     },
     contours: (n: number, written: string) => counted(n, written, 'contour'), openContours: (n: number, written: string) => counted(n, written, 'open contour'),
     parts: (n: number, written: string) => counted(n, written, 'part'),
-    version: (name: string) => (name.startsWith('SVG') ? name : `DXF ${name}`), show: (contour: string) => `Contour ${contour}, show on the sheet`,
+    version: (name: string) => (name.startsWith('SVG') ? name : `DXF ${name}`), show: (contour: string) => `Contour ${contour}, show on the sheet`,
     decided: { first: (contours: string) => `Cut first: ${contours}`, last: (contours: string) => `Cut last: ${contours}`, mark: (contours: string) => `Marked: ${contours}`, exclude: (contours: string) => `Skipped: ${contours}` },
     unpin: { first: 'Unpin', last: 'Unpin', mark: 'Cut', exclude: 'Cut again' }, others: (n: string) => `and ${n} more`,
     unpinAll: { first: 'Unpin contours that are cut first', last: 'Unpin contours that are cut last', mark: 'Cut instead of marking', exclude: 'Cut again: skipped contours' },
@@ -206,7 +206,7 @@ export const en = {
     together: (contours: string) => `Together: ${contours}`, ungroup: 'Separate', byRule: 'By rule', own: { joints: (contours: string) => `Own micro-joints: ${contours}`, lead: (contours: string) => `Own leads: ${contours}`, corners: (contours: string) => `Own corners: ${contours}` },
     anyOrder: 'Any order', anyOrderAll: 'Leave the order of this sequence to the search',
     move: (name: string, place: string, of: string) => `Move ${name}, ${place} of ${of}: drag, or arrow keys`, removeOne: (name: string) => `Remove ${name} from this list`,
-    kinds: (n: number, written: string) => `, ${counted(n, written, 'shape')}`, copies: (n: string, size: string) => `${n} of ${size}`, copiesHint: 'Select all copies of this part',
+    kinds: (n: number, written: string) => `, ${counted(n, written, 'shape')}`, copies: (n: string, size: string) => `${n} pieces, ${size}`, copiesHint: 'Select all copies of this part',
   },
 
   layers: {
@@ -345,7 +345,7 @@ export const en = {
 
   result: {
     title: 'Result', none: 'Results appear here when the first path is ready.', compare: 'Before and after', order: 'Order', job: 'Job', air: 'Air', travel: 'Travel',
-    drawing: 'Drawing order', greedy: 'Nearest first', now: 'Now', download: 'Download', downloadKind: (kind: string) => `Download ${kind}`,
+    drawing: 'As drawn', greedy: 'Nearest first', now: 'Now', download: 'Download', downloadKind: (kind: string) => `Download ${kind}`,
     kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimental)', remainder: 'Remainder (DXF)' },
     short: { now: 'Now', greedy: 'Nearest', drawing: 'As drawn' }, beside: 'Show side by side with the plan', copy: 'Copy', copyHint: 'Copy the G-code to the clipboard',
     report: 'Report', reportHint: 'One page for the operator: picture, times, parts, order, findings', project: 'Project', projectHint: 'Save the project: drawing, decisions, machine and plan (Ctrl S)',
@@ -354,7 +354,7 @@ export const en = {
     cut: 'Cut', pierce: 'Pierce', piercings: (n: number, written: string) => counted(n, written, 'piercing'), preCuts: 'Pre-cuts', leads: 'Leads', joints: 'Micro-joints', skeleton: 'Skeleton', skeletonCuts: (n: number, written: string) => counted(n, written, 'cut'), corners: 'Corners', gap: 'Left to gain', atMost: (time: string, share: string) => `at most ${time} (${share})`, noBound: 'no bound yet', nothingLeft: 'nothing: this path is optimal',
     chart: 'Job time while searching', chartAxis: 'Job time while searching', chartAbove: (time: string) => `as drawn ${time} ↑`, chartNone: 'Job time while searching: no values yet.',
     chartWords: (first: string, last: string, time: string) => `Job time while searching: from ${first} to ${last} in ${time}.`,
-    chartOrders: (drawing: string, greedy: string) => ` Drawing order takes ${drawing}, nearest first ${greedy}.`,
+    chartOrders: (drawing: string, greedy: string) => ` As drawn it takes ${drawing}, nearest first ${greedy}.`,
   },
 
   savings: {

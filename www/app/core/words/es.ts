@@ -249,7 +249,7 @@ export const es: Words = {
       nothing: 'No cambiaría nada.', sentence: (all) => `${all.join(', ')}.`,
     },
     contours, openContours: (n, w) => counted(n, w, 'contorno abierto', 'contornos abiertos'), parts,
-    version: (name) => (name.startsWith('SVG') ? name : `DXF ${name}`), show: (contour) => `Contorno ${contour}, mostrar en la chapa`,
+    version: (name) => (name.startsWith('SVG') ? name : `DXF ${name}`), show: (contour) => `Contorno ${contour}, mostrar en la chapa`,
     decided: { first: (list) => `Cortar primero: ${list}`, last: (list) => `Cortar al final: ${list}`, mark: (list) => `Marcados: ${list}`, exclude: (list) => `Omitidos: ${list}` },
     unpin: { first: 'Soltar', last: 'Soltar', mark: 'Cortar', exclude: 'Volver a cortar' }, others: (n) => `y ${n} más`,
     unpinAll: { first: 'Soltar los contornos que se cortan primero', last: 'Soltar los contornos que se cortan al final', mark: 'Cortar en vez de marcar', exclude: 'Volver a cortar los contornos omitidos' },
@@ -257,7 +257,7 @@ export const es: Words = {
     together: (list) => `Juntos: ${list}`, ungroup: 'Separar', byRule: 'Según la regla', own: { joints: (list) => `Microuniones propias: ${list}`, lead: (list) => `Entradas propias: ${list}`, corners: (list) => `Esquinas propias: ${list}` },
     anyOrder: 'Cualquier orden', anyOrderAll: 'Dejar el orden de esta secuencia a la búsqueda',
     move: (name, place, of) => `Mover ${name}, ${place} de ${of}: arrastre o use las flechas`, removeOne: (name) => `Quitar ${name} de esta lista`,
-    kinds: (n, w) => `, ${counted(n, w, 'forma')}`, copies: (n, size) => `${n} de ${size}`, copiesHint: 'Seleccionar todas las copias de esta pieza',
+    kinds: (n, w) => `, ${counted(n, w, 'forma')}`, copies: (n, size) => `${n} piezas, ${size}`, copiesHint: 'Seleccionar todas las copias de esta pieza',
   },
 
   layers: {

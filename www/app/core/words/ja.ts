@@ -246,7 +246,7 @@ export const ja: Words = {
       nothing: '何も変わりません。', sentence: (all) => `${all.join('、')}。`,
     },
     contours, openContours: (_n, w) => `開いた輪郭 ${w} 個`, parts,
-    version: (name) => (name.startsWith('SVG') ? name : `DXF ${name}`), show: (contour) => `輪郭 ${contour}、板の上に表示`,
+    version: (name) => (name.startsWith('SVG') ? name : `DXF ${name}`), show: (contour) => `輪郭 ${contour}、板の上に表示`,
     decided: { first: (list) => `最初に切断：${list}`, last: (list) => `最後に切断：${list}`, mark: (list) => `マーク：${list}`, exclude: (list) => `除外：${list}` },
     unpin: { first: '固定を解除', last: '固定を解除', mark: '切断する', exclude: '切断に戻す' }, others: (n) => `ほか ${n} 個`,
     unpinAll: { first: '最初に切断する輪郭の固定を解除', last: '最後に切断する輪郭の固定を解除', mark: 'マークせずに切断', exclude: '除外した輪郭を切断に戻す' },

@@ -246,7 +246,7 @@ export const zh: Words = {
       nothing: '不会有变化。', sentence: (all) => `${all.join('，')}。`,
     },
     contours, openContours: (_n, w) => `${w} 个未闭合轮廓`, parts,
-    version: (name) => (name.startsWith('SVG') ? name : `DXF ${name}`), show: (contour) => `轮廓 ${contour}，在板上显示`,
+    version: (name) => (name.startsWith('SVG') ? name : `DXF ${name}`), show: (contour) => `轮廓 ${contour}，在板上显示`,
     decided: { first: (list) => `最先切割：${list}`, last: (list) => `最后切割：${list}`, mark: (list) => `打标：${list}`, exclude: (list) => `已跳过：${list}` },
     unpin: { first: '取消固定', last: '取消固定', mark: '切割', exclude: '重新切割' }, others: (n) => `另有 ${n} 个`,
     unpinAll: { first: '取消固定最先切割的轮廓', last: '取消固定最后切割的轮廓', mark: '改打标为切割', exclude: '重新切割已跳过的轮廓' },
