@@ -6,7 +6,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { it } from 'node:test';
 import { promisify } from 'node:util';
-import { createPlanner, jobReport } from 'kerfway';
+import { createPlanner, ENGLISH_REPORT, jobReport } from 'kerfway';
 import { circle, dxf, folder, ROOT, square } from './support.mjs';
 
 const CLI = join(ROOT, 'dist', 'sdk', 'cli.js');
@@ -29,6 +29,9 @@ it('has the figures of the plan, each part, the order, and nothing that runs or 
   assert.match(page, /<td>1<\/td><td>100 × 100 mm<\/td><td>96\.07 cm²<\/td><td>0\.49 m<\/td><td>2<\/td>/);
   const rows = [...page.matchAll(/<tr><td>(\d)<\/td><td>(\d)<\/td><td>0<\/td><td>([\d.]+) s<\/td>/g)].map((m) => Number(m[2]) - 1);
   assert.deepEqual(rows, [...path.contours]);
+  assert.match(page, /<h2>Cutting order<\/h2><div class="order"><table>/);
+  assert.match(page, /@media print \{.*\.order \{ columns: 2;/, 'hundreds of rows fill half as many sheets of paper');
+  assert.equal(ENGLISH_REPORT.duration(11_040), '3 h 04 min', 'as on the command line');
   const picture = Buffer.from(/base64,([^"]+)"/.exec(page)[1], 'base64').toString();
   assert.equal(picture, await planner.output('svg'));
 });

@@ -58,10 +58,10 @@ export function jobReport(job: ReportInput): string {
 ${list(facts)}
 <figure><img src="data:image/svg+xml;base64,${base64(new TextEncoder().encode(job.svg))}" alt="${escaped(w.picture)}"></figure>
 ${section(w.time, list(times(job, text)))}
-${section(w.layers, table(text, [w.layer, w.operation, w.contours, w.length], quote.layers.map((l) => [l.layer, w.operations[l.operation], l.contours, text.far(l.length)])))}
-${section(w.parts, table(text, ['', w.count, w.size, w.area, w.toCut, w.holes], parts(job, text), [0]))}
+${section(w.layers, table(text, [w.layer, w.operation, w.contours, w.length], quote.layers.map((l) => [l.layer, w.operations[l.operation], l.contours, text.far(l.length)])), 'layers')}
+${section(w.parts, table(text, ['', w.count, w.size, w.area, w.toCut, w.holes], parts(job, text), [0]), 'parts')}
 ${section(w.findings, findings(job, text))}
-${section(w.order, order(job, text))}
+${section(w.order, order(job, text), 'order')}
 <footer>${escaped(w.source(quote.version, quote.seed, quote.moves, quote.input.sha256.slice(0, 16), quote.hash.slice(0, 16)))}</footer>
 </body>
 </html>
@@ -118,7 +118,8 @@ function table({ words: w }: ReportText, head: readonly string[], rows: readonly
 
 const list = (facts: readonly Fact[]) => `<dl>${facts.filter(([, value]) => value !== '').map(([term, value]) => `<div><dt>${escaped(term)}</dt><dd>${escaped(value)}</dd></div>`).join('')}</dl>`;
 
-const section = (title: string, body: string) => `<section><h2>${escaped(title)}</h2>${body}</section>`;
+/** `name`: which columns are figures, in the style below. */
+const section = (title: string, body: string, name = '') => `<section><h2>${escaped(title)}</h2><div class="${name}">${body}</div></section>`;
 
 const ESCAPES: Record<string, string> = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;', "'": '&#39;' };
 const escaped = (text: string) => text.replace(/[&<>"']/g, (c) => ESCAPES[c]!);
@@ -133,8 +134,9 @@ dl { display: grid; grid-template-columns: repeat(auto-fill, minmax(240px, 1fr))
 dl div { display: flex; gap: 8px; } dt { color: #57606a; min-width: 90px; } dd { margin: 0; }
 figure { margin: 12px 0; padding: 8px; border: 1px solid #d0d7de; } img { display: block; width: 100%; max-height: 150mm; object-fit: contain; }
 table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; } tr { break-inside: avoid; }
-th { text-align: left; font-weight: 600; color: #57606a; } th, td { padding: 2px 12px 2px 0; border-bottom: 1px solid #eaeef2; vertical-align: middle; }
+th { text-align: left; font-weight: 600; color: #57606a; } th, td { padding: 2px 0 2px 16px; border-bottom: 1px solid #eaeef2; vertical-align: middle; } tr > :first-child { padding-left: 0; }
+.layers tr > :nth-child(n + 3), .parts tr > :nth-child(n + 2), .order tr > :not(:nth-child(3)) { text-align: right; white-space: nowrap; } section div { overflow-x: auto; }
 ul { padding-left: 18px; margin: 0; } .error b { color: #b3261e; } .warning b { color: #8a5a00; } .info b { color: #57606a; } small, footer { color: #57606a; }
 footer { margin-top: 24px; font-size: 12px; }
-@media print { body { margin: 0; max-width: none; padding: 0; } h2 { break-after: avoid; } }
+@media print { body { margin: 0; max-width: none; padding: 0; } h2 { break-after: avoid; } section div { overflow: visible; } .order { columns: 2; column-gap: 32px; font-size: 11px; } .order tr > * + * { padding-left: 8px; } }
 `;
