@@ -62,7 +62,7 @@ test('parts are selected by click, by box and as copies, and decided all at once
   // Copies are counted, and a click selects all of them.
   await page.getByText('17 parts, 6 shapes').waitFor();
   const copies = page.locator('.copies button').first();
-  assert.equal(await copies.textContent(), '12 pieces, 60 × 40 mm');
+  assert.equal(await copies.textContent(), '12 pcs, 60 × 40 mm');
   const n = 12;
   await copies.click();
   assert.match(await card(page).textContent(), new RegExp(`^${n} parts`));

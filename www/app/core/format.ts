@@ -12,7 +12,7 @@ const formats = new Map<string, Intl.NumberFormat>();
 function decimal(x: number, least: number, most = least, useGrouping = false): string {
   const key = `${least} ${most} ${useGrouping}`;
   let format = formats.get(key);
-  if (format === undefined) formats.set(key, (format = new Intl.NumberFormat(words.numbers.locale, { minimumFractionDigits: least, maximumFractionDigits: most, useGrouping })));
+  if (format === undefined) formats.set(key, (format = new Intl.NumberFormat(words.numbers.locale, { minimumFractionDigits: least, maximumFractionDigits: most, useGrouping, signDisplay: 'negative' })));
   return format.format(x);
 }
 
@@ -81,6 +81,12 @@ export function size(mm: number): string {
   const { unit, factor } = shownIn('mm');
   const value = mm / factor;
   return Math.abs(value) < 1 ? three(value) : upTo(value, unit === 'mm' ? 1 : 2);
+}
+
+/** A coordinate, always with the decimals of `size`, so that a list of them is even: "6.0", "0.8". */
+export function coordinate(mm: number): string {
+  const { unit, factor } = shownIn('mm');
+  return fixed(mm / factor, unit === 'mm' ? 1 : 2);
 }
 
 /** "1000 × 500 mm"; from 10 m on in metres. */

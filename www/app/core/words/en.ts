@@ -80,7 +80,7 @@ const confidence: Record<Quote['confidence']['level'], string> = { high: 'High c
 /** The samples by their file: a title, and what the sample shows. */
 const samples: Record<string, readonly [title: string, about: string]> = {
   'sheet_500.dxf': ['Sheet, 500 contours', 'A full sheet with parts inside parts'],
-  'sheet_100.dxf': ['Sheet, 100 contours', 'Gears, flanges and brackets on 1000 × 500 mm'],
+  'sheet_100.dxf': ['Sheet, 100 contours', 'Gears, flanges and brackets on 1000 × 500 mm'],
   'qu_du_43.dxf': ['43 contours by Qu and Du', 'The test sheet of a paper from 2023'],
   'gaps-and-copies.dxf': ['Gaps, copies, crossings', 'A careless drawing, and what is found in it'],
   'layers.dxf': ['Layers', 'Cut, mark or ignore, suggested by the names of layers'],
@@ -206,7 +206,7 @@ export const en = {
     together: (contours: string) => `Together: ${contours}`, ungroup: 'Separate', byRule: 'By rule', own: { joints: (contours: string) => `Own micro-joints: ${contours}`, lead: (contours: string) => `Own leads: ${contours}`, corners: (contours: string) => `Own corners: ${contours}` },
     anyOrder: 'Any order', anyOrderAll: 'Leave the order of this sequence to the search',
     move: (name: string, place: string, of: string) => `Move ${name}, ${place} of ${of}: drag, or arrow keys`, removeOne: (name: string) => `Remove ${name} from this list`,
-    kinds: (n: number, written: string) => `, ${counted(n, written, 'shape')}`, copies: (n: string, size: string) => `${n} pieces, ${size}`, copiesHint: 'Select all copies of this part',
+    kinds: (n: number, written: string) => `, ${counted(n, written, 'shape')}`, copies: (n: string, size: string) => `${n} pcs, ${size}`, copiesHint: 'Select all copies of this part',
   },
 
   layers: {
