@@ -226,10 +226,10 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
   test(`a switch says what else it changes, and why others are off, ${size}, ${theme}`, async (t) => {
     const page = await openPlanned(t, 'fibre-3kw-thin', 'lift.dxf', DRAWING, { size: SIZES[size], theme, touch: size === 'phone' });
     const machine = await machineSection(page, SIZES[size]);
-    const box = (label) => machine.getByRole('checkbox', { name: label, exact: true });
+    const box = (label) => machine.getByLabel(label, { exact: true });
     const [partial, moving, fly, lift, tips] = ['Allow partial cuts', 'Begin cuts moving', 'Cut rows and grids on the run', 'Lift the head between cuts', 'Mind pieces that tip'].map(box);
-    const note = machine.locator('p.reason');
-    const below = (control) => control.locator('xpath=..').locator('xpath=following-sibling::*[1]').textContent();
+    const note = machine.locator('.reason[role=status]');
+    const below = (control) => control.locator('xpath=../following-sibling::*[1]').textContent();
     await replanned(page, () => moving.check());
     await replanned(page, () => fly.check());
     assert.equal(await note.count(), 0, 'these change nothing else');
@@ -240,7 +240,7 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
     assert.deepEqual([await lift.isChecked(), await tips.isChecked()], [true, true], 'what goes with partial cuts stays');
     assert.deepEqual([await moving.isDisabled(), await lift.isDisabled()], [true, false]);
     assert.equal(await moving.getAttribute('aria-description'), 'First switch off: Allow partial cuts.');
-    assert.equal(await moving.locator('xpath=..').locator('.reason').isVisible(), true, 'and says so without a pointer');
+    assert.equal(await moving.locator('xpath=../following-sibling::*[1]').isVisible(), true, 'and says so without a pointer');
     assert.equal(await machine.getByLabel('Moves over them').isDisabled(), true);
     await partial.scrollIntoViewIfNeeded();
     await shot(page, `partial-${size}-${theme}`);

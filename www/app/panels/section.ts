@@ -43,16 +43,16 @@ export function field(label: string, control: HTMLElement, unit?: string): HTMLL
 }
 
 /** A checkbox with its label. `bar` says below it why it cannot be switched on; with an empty reason it can be. */
-export function check(label: string, onChange: (on: boolean) => void): { root: HTMLLabelElement; input: HTMLInputElement; bar(why: string): void } {
+export function check(label: string, onChange: (on: boolean) => void): { root: HTMLElement; input: HTMLInputElement; bar(why: string): void } {
   const input = h('input', { type: 'checkbox' });
   input.addEventListener('change', () => onChange(input.checked));
   const { root: reason, bar } = barrier(input);
-  return { root: h('label', { class: 'check' }, input, h('span', {}, label), reason), input, bar };
+  return { root: h('div', {}, h('label', { class: 'check' }, input, h('span', {}, label)), reason), input, bar };
 }
 
-/** Disables a control while there is a reason for that, and shows the reason. It is a description to screen readers, and no part of the name. */
+/** Disables a control while there is a reason for that, and shows the reason. To screen readers it is the description of the control. */
 export function barrier(control: HTMLInputElement | HTMLSelectElement): { root: HTMLElement; bar(why: string): void } {
-  const root = h('span', { class: 'soft reason', 'aria-hidden': true });
+  const root = h('p', { class: 'soft reason', 'aria-hidden': true });
   const bar = (why: string) => {
     root.hidden = !why;
     control.disabled = Boolean(why);
