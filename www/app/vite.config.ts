@@ -19,7 +19,7 @@ const contentSecurityPolicy: Plugin = {
 /** Languages are stored for use without a network when they are first used; other parts of the page with the writers of programs. */
 function kindOf(module: string): string {
   if (/core\/words\/\w+\.ts$/.test(module)) return 'language-';
-  return /www\/app\/(session|panels)\/\w+\.ts$/.test(module) ? 'later-' : '';
+  return /www\/app\/(session|panels)\/[\w-]+\.ts$/.test(module) ? 'later-' : '';
 }
 
 /** Whether the page needs a module at once: from its own script, imports that are no calls lead to it. */

@@ -1,90 +1,34 @@
-/** The dialect of G-code: a shipped one, or a document of one's own with a live preview of the first lines of a program. */
+/** The dialect of G-code: a shipped one, or one's own. */
 
-import { button, disable, h } from '../core/dom.js';
-import { choose, save } from '../core/files.js';
-import { messageOf } from '../core/strings.js';
+import { h } from '../core/dom.js';
 import type { Dialect, MachineProfile } from 'kerfway';
 import type { Session } from '../session/session.js';
-import { field, select } from './section.js';
+import type { DialectEditor } from './dialect-editor.js';
+import { field, laterDetails, select } from './section.js';
 import { words } from '../core/words/index.js';
 
-/** Lines of the preview. */
-const SHOWN = 24;
-/** Milliseconds without a keystroke before the document is tried. */
-const PAUSE = 300;
+const shipped = (session: Session) => session.catalog.planner?.dialects ?? [];
 
-export function dialectEditor(session: Session, edit: (change: (m: MachineProfile) => void) => void): { root: HTMLElement; show(machine: MachineProfile): void } {
+/** The document of the machine's dialect; undefined while the planner is not there, or does not know the dialect. */
+export function dialectOf(session: Session): Dialect | undefined {
+  const dialect = session.state.machine?.dialect;
+  return typeof dialect === 'object' ? dialect : shipped(session).find((d) => d.name === dialect);
+}
+
+/** `failed` gets the reason if the editor cannot be loaded. */
+export function dialectPanel(session: Session, edit: (change: (m: MachineProfile) => void) => void, failed: (sentence: string) => void): { root: HTMLElement; show(machine: MachineProfile): void } {
   const w = words.dialect;
   const choice = select<string>((name) => edit((m) => (m.dialect = name)));
   choice.root.classList.add('wide');
-  const text = h('textarea', { class: 'document', rows: 14, spellcheck: false, autocapitalize: 'off', 'aria-label': w.document });
-  const problem = h('p', { class: 'grave', role: 'status' });
-  const preview = h('pre', { class: 'program', tabindex: 0, 'aria-label': w.preview });
-  const file = button(w.import, { class: 'small', onclick: () => choose(([given]) => {
-    void given?.text().then((content) => { text.value = content; tryOut(); });
-  }, { accept: '.json,application/json' }) });
-  const out = button(w.export, { class: 'small', onclick: () => {
-    save(text.value, `${current()?.name ?? 'my'}.dialect.json`, 'application/json');
-  } });
-  const take = button(w.take, { class: 'small primary', onclick: () => {
-    const document = parsed();
-    if (document !== null) edit((m) => (m.dialect = document));
-  } });
-  const details = h('details', { class: 'more' }, h('summary', {}, w.own),
-    h('div', { class: 'stack' }, h('p', { class: 'soft' }, w.hint), text, problem, take, h('div', { class: 'row' }, file, out), h('p', { class: 'field-label' }, w.preview), preview));
-  const root = h('div', { class: 'stack' }, field(w.title, choice.root), details);
-
-  const shipped = () => session.catalog.planner?.dialects ?? [];
-  const current = (): Dialect | undefined => {
-    const dialect = session.state.machine?.dialect;
-    return typeof dialect === 'object' ? dialect : shipped().find((d) => d.name === dialect);
-  };
-  const parsed = (): Dialect | null => {
-    try {
-      return JSON.parse(text.value) as Dialect;
-    } catch (error) {
-      problem.textContent = w.noJson(messageOf(error));
-      return null;
-    }
-  };
-  let asked = 0;
-  let timer = 0;
-  const tryOut = () => {
-    window.clearTimeout(timer);
-    timer = window.setTimeout(() => void draw(), PAUSE);
-  };
-  const draw = async () => {
-    const now = (asked += 1);
-    const { machine } = session.state;
-    const document = details.open ? parsed() : null;
-    take.disabled = true;
-    if (document === null || machine === null) return;
-    try {
-      const program = await session.sampleProgram({ ...machine, dialect: document });
-      if (now !== asked) return;
-      const lines = program.split(/\r?\n/);
-      preview.textContent = lines.slice(0, SHOWN).join('\n') + (lines.length > SHOWN ? '\n…' : '');
-      problem.textContent = '';
-      disable(take, JSON.stringify(document) === JSON.stringify(current()) ? w.same : '');
-    } catch (error) {
-      if (now === asked) problem.textContent = messageOf(error);
-    }
-  };
-  text.addEventListener('input', tryOut);
-  details.addEventListener('toggle', () => void draw());
-
-  let shown = '';
+  let editor: DialectEditor | null = null;
+  const details = laterDetails(w.own, async () => (editor = (await import('./dialect-editor.js')).dialectEditor(session, edit)).root, failed);
+  details.addEventListener('toggle', () => editor?.tryOut());
   const show = (machine: MachineProfile) => {
     const own = typeof machine.dialect === 'object' ? machine.dialect : null;
-    const names = shipped().map((d) => ({ value: d.name, label: d.title }));
+    const names = shipped(session).map((d) => ({ value: d.name, label: d.title }));
     const name = own === null ? machine.dialect as string : own.name;
     choice.fill(own === null ? names : [...names.filter((n) => n.value !== own.name), { value: own.name, label: w.mine(own.title) }], name);
-    const document = current();
-    const key = JSON.stringify(document ?? null);
-    if (document === undefined || key === shown) return;
-    shown = key;
-    text.value = `${JSON.stringify(document, null, 2)}\n`;
-    tryOut();
+    editor?.show();
   };
-  return { root, show };
+  return { root: h('div', { class: 'stack' }, field(w.title, choice.root), details), show };
 }

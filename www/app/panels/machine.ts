@@ -4,7 +4,7 @@ import { button, h } from '../core/dom.js';
 import type { MachineProfile } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { sayWhatElse } from './also.js';
-import { dialectEditor } from './dialect.js';
+import { dialectPanel } from './dialect.js';
 import { allowPartialCuts, obstacle } from './exclusions.js';
 import { jointsPanel } from './joints.js';
 import { leadsPanel } from './leads.js';
@@ -112,7 +112,7 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     const original = preset();
     if (original) session.setMachine(structuredClone(original));
   } });
-  const dialect = dialectEditor(session, edit);
+  const dialect = dialectPanel(session, edit, notify);
   const leads = leadsPanel(edit);
   const joints = jointsPanel(session, edit, placeJoints);
   const levers = leversPanel(edit);
