@@ -222,6 +222,19 @@ test('a machine that joins contours through waste offers no pauses in corners, w
   assert.equal(await pausing.isDisabled(), false);
 });
 
+test('two switches within a second are two choices, which are undone one by one', async (t) => {
+  const page = await openPlanned(t, 'fibre-3kw-thin', 'lift.dxf', DRAWING);
+  const machine = await machineSection(page, SIZES.desktop);
+  const [moving, fly] = ['Begin cuts moving', 'Cut rows and grids on the run'].map((label) => machine.getByLabel(label, { exact: true }));
+  await Promise.all([moving, fly].map((control) => control.evaluate((input) => input.click())));
+  const states = async () => [await moving.isChecked(), await fly.isChecked()];
+  assert.deepEqual(await states(), [true, true]);
+  await page.keyboard.press('Control+z');
+  assert.deepEqual(await states(), [true, false]);
+  await page.keyboard.press('Control+z');
+  assert.deepEqual(await states(), [false, false]);
+});
+
 for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
   test(`a switch says what else it changes, and why others are off, ${size}, ${theme}`, async (t) => {
     const page = await openPlanned(t, 'fibre-3kw-thin', 'lift.dxf', DRAWING, { size: SIZES[size], theme, touch: size === 'phone' });

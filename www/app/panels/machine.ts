@@ -88,7 +88,7 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     if (!machine) return;
     const copy = structuredClone(machine);
     change(copy);
-    session.setMachine(copy, true);
+    session.setMachine(copy, isTyping());
   };
 
   const choice = select<string>((name) => {
@@ -152,6 +152,12 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
   session.store.on('change', show);
   show();
   return root;
+}
+
+/** Whether a change comes from a keystroke in a field. Switches and lists are choices of their own, however fast they follow each other. */
+function isTyping(): boolean {
+  const { activeElement } = document;
+  return activeElement instanceof HTMLInputElement && activeElement.type !== 'checkbox';
 }
 
 /** The hint is outside the label, so that the accessible name of the field stays short. */

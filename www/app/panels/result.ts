@@ -60,6 +60,7 @@ export function resultPanel(session: Session, theme: Theme, { download, saveProj
 
   let timer = 0;
   const draw = () => {
+    clearTimeout(timer);
     timer = 0;
     const { state } = session;
     empty.hidden = state.progress !== null;
@@ -87,7 +88,8 @@ export function resultPanel(session: Session, theme: Theme, { download, saveProj
     if (!timer) timer = window.setTimeout(draw, 100);
   };
   session.store.on('progress', soon);
-  session.store.on('change', soon);
+  // The last numbers are there as soon as the plan is said to be done.
+  session.store.on('change', () => (session.state.phase === 'done' ? draw() : soon()));
   draw();
   return root;
 }
