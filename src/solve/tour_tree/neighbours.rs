@@ -3,7 +3,8 @@
 //! A gate is a coarse place of an item (see `space.rs`). Lists belong to gates and not to items, because what is near the
 //! left edge of a frame is of no use when the frame is entered on the right. Nearness is the cost of travel out of a
 //! place and, where a leg costs more than the leg back, into it as well. The lists are built item by item, so that a
-//! worker can stop in between. Source: Bentley, ORSA Journal on Computing 4 (1992).
+//! worker can stop in between. Source: Bentley, ORSA Journal on Computing 4 (1992); quadrants: Johnson & McGeoch, Experimental analysis
+//! of heuristics for the STSP (2002).
 //!
 //! On very large sheets a small item, such as a hole of a perforated plate, has one list for all of its gates, seen from its
 //! middle: 16 lists for each hole would take longer than the local search that uses them.
@@ -19,6 +20,10 @@ use crate::order::{real, sort_by};
 
 /// Items in the list of a gate.
 const PER_GATE: usize = CONFIG.neighbours.per_gate;
+
+/// In how many times as many rings of cells as hold the nearest items each quadrant is searched for one: at the border of a sheet some
+/// have none.
+const QUADRANT_RINGS: usize = 3;
 
 /// Moves that take as long as the lists of an item with [`super::ring::GATES`] gates, about.
 pub(super) const MOVES_PER_ITEM: u64 = 100;
@@ -116,20 +121,44 @@ impl Neighbours {
         self.list_of.extend((0..gates).map(|gate| first + if shared { 0 } else { gate }));
     }
 
-    /// The nearest other items with the seconds to them, in this order.
+    /// The nearest other items with the seconds to them, in this order. For an item that is small beside its distance to the last of them,
+    /// the farthest give way to the nearest item of each quadrant that has none among them.
     fn nearest(&self, space: &Space, item: u32, place: DVec2) -> Vec<(f64, u32)> {
         let mut found: Vec<(f64, u32)> = Vec::with_capacity(PER_GATE + 1);
+        let mut of_quadrant: [Option<(f64, u32)>; 4] = [None; 4];
+        let size = space.travel.seconds_at_least(space.whole[item as usize].largest_side());
+        let mut last = None;
         for r in 0..self.gates.rings(place) {
-            let d = self.gates.distance_of_ring(r);
-            if found.len() >= PER_GATE && found[PER_GATE - 1].0 <= space.travel.seconds_at_least(d) {
+            let least = space.travel.seconds_at_least(self.gates.distance_of_ring(r));
+            let farthest = found.get(PER_GATE - 1).map(|n| n.0).filter(|&farthest| farthest <= least);
+            if let (None, Some(farthest)) = (last, farthest) {
+                if farthest < size {
+                    return found;
+                }
+                last = Some(QUADRANT_RINGS * (r + 1));
+            }
+            let all = || of_quadrant.iter().all(|n| n.is_some_and(|n| n.0 <= least));
+            if last.is_some_and(|last| r > last || all()) {
                 break;
             }
             self.gates.ring(place, r, |run| {
                 for &(other, there) in run.iter().filter(|gate| gate.0 != item) {
-                    insert(&mut found, (space.travel.air(place, there), other));
+                    let new = (space.travel.air(place, there), other);
+                    let nearest = &mut of_quadrant[quadrant(there - place)];
+                    if nearest.is_none_or(|old| new < old) {
+                        *nearest = Some(new);
+                    }
+                    insert(&mut found, new);
                 }
             });
         }
+        let mut apart: Vec<(f64, u32)> = Vec::new();
+        for n in of_quadrant.into_iter().flatten().filter(|n| found.iter().all(|f| f.1 != n.1)) {
+            merge(&mut apart, n);
+        }
+        found.truncate(PER_GATE - apart.len());
+        found.extend(apart);
+        sort_by(&mut found, |n| [real(n.0), n.1.into(), 0]);
         found
     }
 
@@ -176,6 +205,11 @@ fn nearest_by_table(space: &Space, item: u32, place: Place, back: bool) -> Vec<(
     sort_by(&mut found, |n| [real(n.0), n.1.into(), 0]);
     found.truncate(PER_GATE);
     found
+}
+
+/// The number of the quadrant in which a direction lies.
+fn quadrant(to: DVec2) -> usize {
+    usize::from(to.x > 0.0) + 2 * usize::from(to.y > 0.0)
 }
 
 /// Inserts into a sorted list of the [`PER_GATE`] nearest items, which holds each item once, with its least seconds.

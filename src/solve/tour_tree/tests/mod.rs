@@ -175,6 +175,27 @@ fn on_very_large_sheets_small_items_have_one_list() {
     assert!(search.best().cost < 0.9 * first, "{} of {first}", search.best().cost);
 }
 
+/// Without it, the search never changed how groups of holes follow each other: each hole knew only its own group.
+#[test]
+fn holes_of_a_group_know_the_next_hole_in_each_quadrant() {
+    let mut centers: Vec<DVec2> =
+        (0..16).map(|k| DVec2::new(f64::from(k % 4), f64::from(k / 4)) * 30.0).collect();
+    centers.push(DVec2::splat(390.0));
+    let problem = circles(&centers);
+    let (tour, near) = tour(&problem);
+    let space = &tour.space;
+    let (corner, alone) = (15, 16);
+    let places = 0..u32::try_from(space.places(corner).len()).unwrap();
+    let knows = |at: u32| near.of_place(space, corner, at).contains(&alone);
+    assert!(places.clone().all(knows));
+    // One in the middle has others of its group in every quadrant.
+    assert!(!near.of_place(space, 5, 0).contains(&alone));
+    // The others are the nearest: those beside it and across.
+    for beside in [10, 11, 14] {
+        assert!(places.clone().all(|at| near.of_place(space, corner, at).contains(&beside)));
+    }
+}
+
 #[test]
 fn entries_slide_to_the_exact_minimum() {
     // Out to the near side of the farther circle and back; the nearer one touches the way.
