@@ -11,8 +11,7 @@ import { findingActions } from './finding-actions.js';
 import { FindingList, problemCounts } from './findings.js';
 import { layerList } from './layers.js';
 import { Pins } from './pins.js';
-import { section } from './section.js';
-import { tolerances } from './tolerances.js';
+import { laterDetails, section } from './section.js';
 import { words } from '../core/words/index.js';
 
 /** Height in CSS pixels from which the drawing and the result fit below each other. */
@@ -28,7 +27,8 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
   const findings = new FindingList(onFinding, (finding) => findingActions(session, finding));
   const pins = new Pins(session, onContour);
   const kept = h('p', { class: 'soft kept', hidden: true }, words.page.kept, button(words.page.forget, { class: 'quiet small', onclick: forget }));
-  const content = h('div', { class: 'stack' }, counts, copies, layers, pins.root, findings.root, tolerances(session, preview), kept);
+  const tolerances = laterDetails(words.drawing.tolerances, async () => (await import('./tolerances.js')).tolerances(session, preview), (sentence) => session.store.notify(sentence));
+  const content = h('div', { class: 'stack' }, counts, copies, layers, pins.root, findings.root, tolerances, kept);
   const empty = h('p', { class: 'soft' }, words.drawing.none);
   body.append(empty, content);
 

@@ -10,8 +10,7 @@ import { messageOf } from '../core/strings.js';
 import type { Theme } from '../core/theme.js';
 import { chart } from './chart.js';
 import { preflight } from './preflight.js';
-import { savingsPanel } from './savings.js';
-import { section } from './section.js';
+import { laterDetails, section } from './section.js';
 import { words } from '../core/words/index.js';
 
 const ROWS = [
@@ -54,7 +53,8 @@ export function resultPanel(session: Session, theme: Theme, { download, saveProj
     // Only methods from papers have insights.
     import('./insight.js').then(({ insightPanel }) => insights.replaceWith(insightPanel(session, theme)), (error) => session.store.notify(messageOf(error)));
   });
-  const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, chart(session, theme), insights, parts, savingsPanel(session, alternatives), files, check);
+  const savings = laterDetails(words.savings.title, async () => (await import('./savings.js')).savingsPanel(session, alternatives), (sentence) => session.store.notify(sentence));
+  const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, chart(session, theme), insights, parts, savings, files, check);
   const empty = h('p', { class: 'soft' }, words.result.none);
   body.append(empty, content);
 

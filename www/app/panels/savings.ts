@@ -1,4 +1,4 @@
-/** What each kind of decision saves, found by leaving it out. It is worked out when somebody asks for it. */
+/** What each kind of decision saves, found by leaving it out. Loaded when it is opened, and worked out when somebody asks for it. */
 
 import { button, h } from '../core/dom.js';
 import { seconds } from '../core/format.js';
@@ -14,7 +14,7 @@ export function savingsPanel(session: Session, alternatives: () => Promise<Alter
   const list = h('dl', { class: 'parts savings' });
   const note = h('p', { class: 'soft', role: 'status' });
   const ask = button(words.savings.ask, { class: 'small', onclick: () => void work() });
-  const root = h('details', { class: 'more' }, h('summary', {}, words.savings.title), h('div', { class: 'stack' }, h('p', { class: 'soft' }, words.savings.about), list, note, ask));
+  const root = h('div', { class: 'stack' }, h('p', { class: 'soft' }, words.savings.about), list, note, ask);
   let asked = 0;
 
   const reset = () => {

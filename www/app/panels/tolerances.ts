@@ -1,6 +1,6 @@
 /**
  * How far apart ends may be, and how closely curves are followed. While a value is being changed, the sheet shows what would join or
- * disappear; nothing changes before the value is applied.
+ * disappear; nothing changes before the value is applied. Loaded when it is opened.
  */
 
 import { button, h, setText } from '../core/dom.js';
@@ -79,7 +79,7 @@ export function tolerances(session: Session, preview: Preview): HTMLElement {
   preview.on('refused', (sentence) => setText(outcome, sentence));
   session.store.on('loaded', reset);
   reset();
-  return h('details', { class: 'more' }, h('summary', {}, words.drawing.tolerances), form);
+  return form;
 }
 
 /** A slider with its number. `onTurn` is called with the value, or with null where it is not a valid one. */
