@@ -157,8 +157,7 @@ impl Neighbours {
             merge(&mut apart, n);
         }
         found.truncate(PER_GATE - apart.len());
-        found.extend(apart);
-        sort_by(&mut found, |n| [real(n.0), n.1.into(), 0]);
+        apart.into_iter().for_each(|n| insert(&mut found, n));
         found
     }
 
