@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { changedFrom, openPage, phase, serious, shot, SIZES, still, tap } from './page-support.mjs';
+import { changedFrom, openEverything, openPage, phase, serious, shot, SIZES, still, tap } from './page-support.mjs';
 
 test('everything can be done by keyboard', async (t) => {
   const { page } = await openPage(t);
@@ -67,7 +67,7 @@ test('names, headings, landmarks and contrast hold in both themes', async (t) =>
   for (const theme of ['light', 'dark']) {
     const { page } = await openPage(t, { theme });
     await phase(page, 'planning');
-    await page.evaluate(() => document.querySelectorAll('details').forEach((d) => (d.open = true)));
+    await openEverything(page);
     await page.waitForFunction(() => document.querySelector('.large').textContent !== '');
     const faults = await page.evaluate(audit);
     assert.deepEqual(faults, [], theme);
@@ -141,7 +141,7 @@ test('a phone shows the whole page without scrolling sideways', async (t) => {
   const stop = await page.getByRole('button', { name: 'Stop' }).boundingBox();
   assert.ok(stop.height >= 44 && stop.y + stop.height <= 844, 'stop is in reach');
   await tap(page.getByRole('button', { name: 'Drawing, machine, plan, result' }));
-  await page.evaluate(() => document.querySelectorAll('details').forEach((d) => (d.open = true)));
+  await openEverything(page);
   assert.equal(await page.getByRole('heading', { name: 'Result' }).isVisible(), true);
   assert.deepEqual(await wide(), [390, 390, 390]);
   const cut = await page.evaluate(() => [...document.querySelectorAll('#sections *, #dock *')].filter((e) => e.getClientRects().length > 0 && e.getBoundingClientRect().right > innerWidth + 1 && !e.closest('.hidden')).length);
@@ -188,7 +188,7 @@ test('axe finds nothing serious, wide and narrow, light and dark, with everythin
       await page.keyboard.press('s');
       await phase(page, 'done');
       if (size === SIZES.phone) await page.locator('.sheet-toggle').click();
-      await page.evaluate(() => document.querySelectorAll('details').forEach((d) => (d.open = true)));
+      await openEverything(page);
       await page.getByLabel('Method').selectOption({ label: 'Research methods…' });
       await page.waitForFunction(() => document.querySelectorAll('optgroup option').length > 0);
       assert.deepEqual(await serious(page), [], `${size.width} ${theme}`);

@@ -97,6 +97,12 @@ export function phase(page, ...names) {
   return page.waitForFunction((wanted) => wanted.includes(document.body.dataset.phase), names);
 }
 
+/** Opens every section and part of one, and waits for those whose content is loaded when they are opened. */
+export async function openEverything(page) {
+  await page.evaluate(() => document.querySelectorAll('details').forEach((d) => (d.open = true)));
+  await page.waitForFunction(() => [...document.querySelectorAll('details')].every((d) => d.childElementCount > 1));
+}
+
 /** Drops a file on the page. */
 export function drop(page, name, bytes) {
   return dropAll(page, [[name, bytes]]);

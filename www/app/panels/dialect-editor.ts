@@ -26,7 +26,7 @@ export function dialectEditor(session: Session, edit: (change: (m: MachineProfil
   const current = () => dialectOf(session);
   const text = h('textarea', { class: 'document', rows: 14, spellcheck: false, autocapitalize: 'off', 'aria-label': w.document });
   const problem = h('p', { class: 'grave', role: 'status' });
-  const preview = h('pre', { class: 'program', tabindex: 0, 'aria-label': w.preview });
+  const preview = h('pre', { class: 'program', tabindex: 0, role: 'region', 'aria-label': w.preview });
   const file = button(w.import, { class: 'small', onclick: () => choose(([given]) => {
     void given?.text().then((content) => { text.value = content; tryOut(); });
   }, { accept: '.json,application/json' }) });
