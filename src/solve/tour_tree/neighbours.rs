@@ -4,7 +4,7 @@
 //! left edge of a frame is of no use when the frame is entered on the right. Nearness is the cost of travel out of a
 //! place and, where a leg costs more than the leg back, into it as well. The lists are built item by item, so that a
 //! worker can stop in between. Source: Bentley, ORSA Journal on Computing 4 (1992); quadrants: Johnson & McGeoch, Experimental analysis
-//! of heuristics for the STSP (2002).
+//! of heuristics for the STSP (2002); in tables, which have no quadrants: the relative neighbourhood of Toussaint, Pattern Recognition 12 (1980).
 //!
 //! On very large sheets a small item, such as a hole of a perforated plate, has one list for all of its gates, seen from its
 //! middle: 16 lists for each hole would take longer than the local search that uses them.
@@ -24,6 +24,9 @@ const PER_GATE: usize = CONFIG.neighbours.per_gate;
 /// In how many times as many rings of cells as hold the nearest items each quadrant is searched for one: at the border of a sheet some
 /// have none.
 const QUADRANT_RINGS: usize = 3;
+
+/// Items in a list by the table that need not be the nearest; the value is measured in docs/internals/tuning.md.
+const APART: usize = 2;
 
 /// Moves that take as long as the lists of an item with [`super::ring::GATES`] gates, about.
 pub(super) const MOVES_PER_ITEM: u64 = 100;
@@ -196,13 +199,30 @@ fn gap_on(space: &Space) -> f64 {
     (sheet.x * sheet.y / space.whole.len() as f64).sqrt()
 }
 
-/// The nearest other items by the table, with the cost to them (`back`: from them).
+/// The nearest other items by the table, with the cost to them (`back`: from them), in this order. The last [`APART`] of them are the
+/// nearest of those that lie nearer to the place than to any item before them in the list, as far as there are such.
 fn nearest_by_table(space: &Space, item: u32, place: Place, back: bool) -> Vec<(f64, u32)> {
     let others = (0..=space.home).filter(|&other| other != item);
-    let mut found: Vec<(f64, u32)> =
+    let mut others: Vec<(f64, u32)> =
         others.map(|other| (space.at_least(place, other, back), other)).collect();
-    sort_by(&mut found, |n| [real(n.0), n.1.into(), 0]);
-    found.truncate(PER_GATE);
+    let by_cost = |n: &(f64, u32)| [real(n.0), n.1.into(), 0];
+    sort_by(&mut others, by_cost);
+    let (near, far) = others.split_at(others.len().min(PER_GATE - APART));
+    let mut found = near.to_vec();
+    for &other in far {
+        if found.len() == PER_GATE {
+            break;
+        }
+        let nearer =
+            |n: &(f64, u32)| space.places(n.1).iter().any(|p| space.at_least(p, other.1, back) < other.0);
+        if !found.iter().any(nearer) {
+            found.push(other);
+        }
+    }
+    let room = PER_GATE - found.len();
+    let rest: Vec<_> = far.iter().filter(|other| !found.contains(other)).take(room).collect();
+    found.extend(rest);
+    sort_by(&mut found, by_cost);
     found
 }
 

@@ -196,6 +196,28 @@ fn holes_of_a_group_know_the_next_hole_in_each_quadrant() {
     }
 }
 
+/// A table has no quadrants; its lists reach beyond a group by what is nearer to a place than to all in the list.
+#[test]
+fn places_of_a_group_know_the_next_group_by_the_table() {
+    let mut places: Vec<DVec2> =
+        (0..16).map(|k| DVec2::new(f64::from(k % 4), f64::from(k / 4)) * 30.0).collect();
+    places.push(DVec2::splat(390.0));
+    let mut problem = circles(&places);
+    for (item, &place) in places.iter().enumerate() {
+        let id = NodeId::try_from(item).unwrap();
+        let node = Node { entry: place, exit: place, along: 0.0, twin: id, ..problem.nodes[item] };
+        problem.nodes[item] = Node { item: id, ..node };
+        problem.items[item] = Item { nodes: id..id + 1, ..Item::default() };
+    }
+    problem.nodes.truncate(places.len());
+    let costs = places.iter().flat_map(|a| places.iter().map(|b| a.distance(*b))).collect();
+    (problem.closed, problem.table) = (true, crate::problem::Table::new(places.len(), costs));
+    let (tour, near) = tour(&problem);
+    // The corner lies nearer to the one that is alone than all others do. The last place is filled with the next nearest.
+    assert_eq!(near.of_place(&tour.space, 15, 0), [11, 14, 10, 7, 13, 6, 9, 16]);
+    assert!(!near.of_place(&tour.space, 5, 0).contains(&16));
+}
+
 #[test]
 fn entries_slide_to_the_exact_minimum() {
     // Out to the near side of the farther circle and back; the nearer one touches the way.
