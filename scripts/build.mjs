@@ -9,7 +9,7 @@ import { brotliCompressSync, constants, gzipSync } from 'node:zlib';
 import { policyWith } from './policy.mjs';
 import { setup } from './setup.mjs';
 import { quietly, together } from './together.mjs';
-import { DIST, ENV, main, ROOT, run, Stop } from './tools.mjs';
+import { BESIDE, COMPILING, DIST, ENV, main, ROOT, run, Stop } from './tools.mjs';
 
 const SDK = join(DIST, 'sdk');
 const APP = join(DIST, 'app');
@@ -70,12 +70,11 @@ export function compiling({ quick = false } = {}) {
 }
 
 /**
- * Tasks that make files one after the other. A release is compiled on one core, so there are two of them, and cargo has a folder for
- * each, because it locks it. A quick build takes all cores and has one.
+ * Tasks that make files one after the other. A release is compiled on one core, so there are two of them. A quick build takes all cores
+ * and is one.
  */
 function lanes(quick, isStale, make) {
-  const target = process.env.CARGO_TARGET_DIR ?? join(ROOT, 'target');
-  const all = quick ? [[Object.keys(FILES), target]] : [[['kerfway_research', 'kerfway_outputs'], target], [['kerfway', 'kerfway_png'], join(target, 'beside')]];
+  const all = quick ? [[Object.keys(FILES), COMPILING]] : [[['kerfway_research', 'kerfway_outputs'], COMPILING], [['kerfway', 'kerfway_png'], BESIDE]];
   return all.flatMap(([names, folder]) => {
     const stale = names.filter(isStale);
     const work = async () => {

@@ -9,6 +9,9 @@ import { fileURLToPath } from 'node:url';
 
 export const ROOT = dirname(dirname(fileURLToPath(import.meta.url)));
 export const DIST = join(ROOT, 'dist');
+/** Where cargo compiles, and where it compiles something else at the same time, because it locks its folder. */
+export const COMPILING = process.env.CARGO_TARGET_DIR ?? join(ROOT, 'target');
+export const BESIDE = join(COMPILING, 'beside');
 
 const cargoHome = process.env.CARGO_HOME ?? join(homedir(), '.cargo');
 /** Tools that must not replace the person's own of another version. */
@@ -44,8 +47,8 @@ export function run(command, args, options = {}) {
   if (r.status !== 0) throw new Stop(`${command} ${args.join(' ')} ended with ${r.status ?? r.signal}`);
 }
 
-/** Runs a command, shows its output and returns it with the exit code. */
-export function tee(command, args, env = {}) {
+/** Runs a command, shows its output if asked, and returns it with the exit code. */
+export function tee(command, args, env = {}, show = true) {
   return new Promise((resolve, reject) => {
     const child = spawn(command, args, {
       env: { ...ENV, ...env },
@@ -54,8 +57,12 @@ export function tee(command, args, env = {}) {
       shell,
     });
     let text = '';
-    child.stdout.on('data', (d) => ((text += d), process.stdout.write(d)));
-    child.stderr.on('data', (d) => ((text += d), process.stderr.write(d)));
+    for (const [from, to] of [[child.stdout, process.stdout], [child.stderr, process.stderr]]) {
+      from.on('data', (d) => {
+        text += d;
+        if (show) to.write(d);
+      });
+    }
     child.on('error', reject);
     child.on('close', (code, signal) => resolve({ code: code ?? 1, signal, text }));
   });
