@@ -207,23 +207,19 @@ fn nearest_by_table(space: &Space, item: u32, place: Place, back: bool) -> Vec<(
         others.map(|other| (space.at_least(place, other, back), other)).collect();
     let by_cost = |n: &(f64, u32)| [real(n.0), n.1.into(), 0];
     sort_by(&mut others, by_cost);
-    let (near, far) = others.split_at(others.len().min(PER_GATE - APART));
-    let mut found = near.to_vec();
-    for &other in far {
-        if found.len() == PER_GATE {
-            break;
-        }
-        let nearer =
-            |n: &(f64, u32)| space.places(n.1).iter().any(|p| space.at_least(p, other.1, back) < other.0);
-        if !found.iter().any(nearer) {
-            found.push(other);
+    let mut taken = PER_GATE - APART;
+    for k in taken..others.len() {
+        let (cost, other) = others[k];
+        let is_nearer = |p| space.at_least(p, other, back) < cost;
+        if taken < PER_GATE && !others[..taken].iter().any(|n| space.places(n.1).iter().any(is_nearer)) {
+            let apart = others.remove(k);
+            others.insert(taken, apart);
+            taken += 1;
         }
     }
-    let room = PER_GATE - found.len();
-    let rest: Vec<_> = far.iter().filter(|other| !found.contains(other)).take(room).collect();
-    found.extend(rest);
-    sort_by(&mut found, by_cost);
-    found
+    others.truncate(PER_GATE);
+    sort_by(&mut others, by_cost);
+    others
 }
 
 /// The number of the quadrant in which a direction lies.
