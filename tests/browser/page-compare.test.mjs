@@ -10,40 +10,38 @@ const inSeconds = (text) => (/ s$/.test(text) ? Number(text.replace(/[^\d.]/g, '
 const row = (page, name) => page.locator('.compare tbody').filter({ hasText: name }).locator('td.number').first().textContent();
 
 for (const [name, size] of Object.entries(SIZES)) {
-  for (const theme of ['light', 'dark']) {
-    test(`the sheet shows the other orders, alone and side by side (${name}, ${theme})`, async (t) => {
-      const narrow = size === SIZES.phone;
-      const { page } = await openPage(t, { size, theme, touch: narrow, hash: 'seconds=0.4' });
-      await phase(page, 'planning', 'done');
-      await drop(page, 'rings.dxf', sample('parts-in-parts.dxf'));
-      await planned(page, 'rings.dxf', 'done');
-      const orders = page.getByRole('group', { name: 'Before and after' });
-      const now = await still(page);
-      const jobs = {};
-      for (const [label, line] of [['Nearest', 'Nearest first'], ['As drawn', 'As drawn'], ['Now', 'Now']]) {
-        await orders.getByRole('button', { name: label, exact: true }).click();
-        jobs[line] = inSeconds(await row(page, line));
-        await page.waitForFunction((s) => Math.abs(document.querySelector('#playback .whole').textContent.replace(/[^\d:.]/g, '').split(':').reduce((sum, n) => 60 * sum + Number(n), 0) - s) < 1, jobs[line]);
-        if (label !== 'Now') await changedFrom(page, now);
-      }
-      assert.ok(jobs.Now <= jobs['Nearest first'] && jobs['Nearest first'] <= jobs['As drawn'] + 60);
-      await orders.getByRole('button', { name: 'Show side by side with the plan' }).click();
-      await page.locator('.second').waitFor();
-      await page.waitForFunction(() => /Nearest first · /.test(document.querySelector('.second-label').textContent));
-      const [left, right] = await Promise.all(['#canvas', '.second'].map((c) => page.locator(c).boundingBox()));
-      assert.deepEqual([left.width, left.height], [right.width, right.height], 'both have the same size');
-      await page.evaluate(() => document.activeElement.blur());
-      await page.keyboard.press(' ');
-      await page.waitForFunction(() => { const v = Number(document.querySelector('#playback input').value); return v > 1500 && v < 9000; });
-      await page.keyboard.press(' ');
-      await still(page);
-      await shot(page, `beside-${name}-${theme}`);
-      assert.deepEqual(await serious(page), []);
-      await orders.getByRole('button', { name: 'Show side by side with the plan' }).click();
-      await page.locator('.second').waitFor({ state: 'hidden' });
-      assert.match(await total(page), /\d/);
-    });
-  }
+  test(`the sheet shows the other orders, alone and side by side (${name})`, async (t) => {
+    const narrow = size === SIZES.phone;
+    const { page } = await openPage(t, { size, touch: narrow, hash: 'seconds=0.4' });
+    await phase(page, 'planning', 'done');
+    await drop(page, 'rings.dxf', sample('parts-in-parts.dxf'));
+    await planned(page, 'rings.dxf', 'done');
+    const orders = page.getByRole('group', { name: 'Before and after' });
+    const now = await still(page);
+    const jobs = {};
+    for (const [label, line] of [['Nearest', 'Nearest first'], ['As drawn', 'As drawn'], ['Now', 'Now']]) {
+      await orders.getByRole('button', { name: label, exact: true }).click();
+      jobs[line] = inSeconds(await row(page, line));
+      await page.waitForFunction((s) => Math.abs(document.querySelector('#playback .whole').textContent.replace(/[^\d:.]/g, '').split(':').reduce((sum, n) => 60 * sum + Number(n), 0) - s) < 1, jobs[line]);
+      if (label !== 'Now') await changedFrom(page, now);
+    }
+    assert.ok(jobs.Now <= jobs['Nearest first'] && jobs['Nearest first'] <= jobs['As drawn'] + 60);
+    await orders.getByRole('button', { name: 'Show side by side with the plan' }).click();
+    await page.locator('.second').waitFor();
+    await page.waitForFunction(() => /Nearest first · /.test(document.querySelector('.second-label').textContent));
+    const [left, right] = await Promise.all(['#canvas', '.second'].map((c) => page.locator(c).boundingBox()));
+    assert.deepEqual([left.width, left.height], [right.width, right.height], 'both have the same size');
+    await page.evaluate(() => document.activeElement.blur());
+    await page.keyboard.press(' ');
+    await page.waitForFunction(() => { const v = Number(document.querySelector('#playback input').value); return v > 1500 && v < 9000; });
+    await page.keyboard.press(' ');
+    await still(page);
+    await shot(page, `beside-${name}`);
+    assert.deepEqual(await serious(page), []);
+    await orders.getByRole('button', { name: 'Show side by side with the plan' }).click();
+    await page.locator('.second').waitFor({ state: 'hidden' });
+    assert.match(await total(page), /\d/);
+  });
 }
 
 test('what each kind of decision saves is worked out by leaving it out', async (t) => {

@@ -50,7 +50,7 @@ test('files dropped together are planned one after the other; each can be opened
 });
 
 test('on a phone the list of files fits beside the rest', async (t) => {
-  const { page } = await openPage(t, { size: SIZES.phone, theme: 'dark', hash: 'seconds=0.4' });
+  const { page } = await openPage(t, { size: SIZES.phone, hash: 'seconds=0.4' });
   await phase(page, 'planning', 'done');
   await dropAll(page, [['a-plate-with-a-long-name.dxf', grid(20)], ['b.dxf', grid(30)]]);
   await told(page, '2 of 2');

@@ -7,16 +7,16 @@ import { machineSection, openPlanned, output, plan, replanned, shot, SIZES } fro
 
 const DRAWING = dxf([...square(20, 20, 40), ...square(80, 20, 40), ...square(30, 30, 15)]);
 
-for (const [size, theme] of [['desktop', 'light'], ['desktop', 'dark'], ['phone', 'light'], ['phone', 'dark']]) {
-  test(`lifting the head is switched on, changed and switched off (${size}, ${theme})`, async (t) => {
-    const page = await openPlanned(t, 'fibre-3kw-thin', 'lift.dxf', DRAWING, { size: SIZES[size], theme, touch: size === 'phone' });
+for (const size of ['desktop', 'phone']) {
+  test(`lifting the head is switched on, changed and switched off (${size})`, async (t) => {
+    const page = await openPlanned(t, 'fibre-3kw-thin', 'lift.dxf', DRAWING, { size: SIZES[size], touch: size === 'phone' });
     const machine = await machineSection(page, SIZES[size]);
     const lift = machine.getByLabel('Lift the head between cuts');
     await replanned(page, () => lift.check());
     await replanned(page, () => machine.getByLabel('Lift by').fill('12'));
     await lift.scrollIntoViewIfNeeded();
-    await shot(page, `lift-${size}-${theme}`);
-    if (size === 'phone' || theme === 'dark') return;
+    await shot(page, `lift-${size}`);
+    if (size === 'phone') return;
     const lifted = await plan(page);
     assert.deepEqual(lifted.machine.levers, { lift: { height: 12, stay_down: 10, at_rest: false } });
     assert.equal(lifted.machine.z_speed, 100);
@@ -30,13 +30,13 @@ for (const [size, theme] of [['desktop', 'light'], ['desktop', 'dark'], ['phone'
 
 test('a row of holes is cut on the run, and its settings are in the plan', async (t) => {
   const row = dxf(...[20, 30, 40, 50].map((x) => circle(x, 30, 3)), square(10, 10, 60));
-  const page = await openPlanned(t, 'fibre-3kw-thin', 'row.dxf', row, { size: SIZES.desktop, theme: 'light' });
+  const page = await openPlanned(t, 'fibre-3kw-thin', 'row.dxf', row);
   const machine = await machineSection(page, SIZES.desktop);
   const fly = machine.getByLabel('Cut rows and grids on the run');
   await replanned(page, () => fly.check());
   await replanned(page, () => machine.getByLabel('Longest way between two cuts').fill('12'));
   await fly.scrollIntoViewIfNeeded();
-  await shot(page, 'fly-desktop-light');
+  await shot(page, 'fly-desktop');
   const flown = await plan(page);
   assert.deepEqual(flown.machine.levers, { fly: { reach: 12, overcut: 0 } });
   assert.equal(flown.summary.fly_cuts, 3);
@@ -53,22 +53,22 @@ test('a row of holes is cut on the run, and its settings are in the plan', async
 
 const ROW = dxf(Array.from({ length: 5 }, (_, k) => square(50 + 50 * k, 50, 40)).flat());
 
-for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
-  test(`pieces that tip are marked, and moves over them ignored or avoided (${size}, ${theme})`, async (t) => {
-    const page = await openPlanned(t, 'fibre-3kw-thin', 'row.dxf', ROW, { size: SIZES[size], theme, touch: size === 'phone' });
+for (const size of ['desktop', 'phone']) {
+  test(`pieces that tip are marked, and moves over them ignored or avoided (${size})`, async (t) => {
+    const page = await openPlanned(t, 'fibre-3kw-thin', 'row.dxf', ROW, { size: SIZES[size], touch: size === 'phone' });
     const machine = await machineSection(page, SIZES[size]);
     const tips = machine.getByLabel('Mind pieces that tip');
     await replanned(page, () => tips.check());
     await replanned(page, () => machine.getByLabel('Pieces drop below').fill('10'));
     await tips.scrollIntoViewIfNeeded();
-    await shot(page, `tips-${size}-${theme}`);
+    await shot(page, `tips-${size}`);
     if (size === 'phone') return;
     const avoided = await plan(page);
     assert.equal(avoided.machine.levers.tips.risky_moves, 'avoid');
     assert.equal(avoided.summary.crossings, undefined);
     await replanned(page, () => machine.getByLabel('Moves over them').selectOption({ label: 'Only mark them' }));
     await replanned(page, () => machine.getByLabel('Lift the head between cuts').uncheck());
-    await shot(page, `tips-ignored-${size}-${theme}`);
+    await shot(page, `tips-ignored-${size}`);
     const ignored = await plan(page);
     assert.ok(ignored.summary.crossings > 0);
     assert.equal(ignored.moves.filter((m) => m.way === 'crosses').length, ignored.summary.crossings);
@@ -80,15 +80,15 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
 
 const HOLES = dxf(Array.from({ length: 16 }, (_, k) => square(30 + 20 * (k % 4), 30 + 20 * Math.floor(k / 4), 10)).flat());
 
-for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
-  test(`cuts near each other wait for each other, or have a charge (${size}, ${theme})`, async (t) => {
-    const page = await openPlanned(t, 'fibre-3kw-thin', 'holes.dxf', HOLES, { size: SIZES[size], theme, touch: size === 'phone' });
+for (const size of ['desktop', 'phone']) {
+  test(`cuts near each other wait for each other, or have a charge (${size})`, async (t) => {
+    const page = await openPlanned(t, 'fibre-3kw-thin', 'holes.dxf', HOLES, { size: SIZES[size], touch: size === 'phone' });
     const machine = await machineSection(page, SIZES[size]);
     const heat = machine.getByLabel('Let cuts cool');
     await replanned(page, () => heat.check());
     await replanned(page, () => machine.getByLabel('Plate thickness').fill('8'));
     await heat.scrollIntoViewIfNeeded();
-    await shot(page, `heat-${size}-${theme}`);
+    await shot(page, `heat-${size}`);
     if (size === 'phone') return;
     const waiting = await plan(page);
     assert.deepEqual(waiting.machine.levers.heat, { distance: 20, seconds: 5, small_holes: { thickness: 8, ratio: 1 } });
@@ -105,16 +105,16 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
   });
 }
 
-for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
-  test(`parts are joined through waste, and it is drawn, ${size}, ${theme}`, async (t) => {
+for (const size of ['desktop', 'phone']) {
+  test(`parts are joined through waste, and it is drawn, ${size}`, async (t) => {
     const nest = dxf(...[[0, 0], [28, 0], [0, 28], [28, 28]].map(([x, y]) => square(10 + x, 10 + y, 20)));
-    const page = await openPlanned(t, 'fibre-6kw-thick', 'nest.dxf', nest, { size: SIZES[size], theme, touch: size === 'phone' });
+    const page = await openPlanned(t, 'fibre-6kw-thick', 'nest.dxf', nest, { size: SIZES[size], touch: size === 'phone' });
     const machine = await machineSection(page, SIZES[size]);
     const chains = machine.getByLabel('Join contours through waste');
     await replanned(page, () => chains.check());
     await replanned(page, () => machine.getByLabel('Longest cut through waste').fill('25'));
     await chains.scrollIntoViewIfNeeded();
-    await shot(page, `chains-${size}-${theme}`);
+    await shot(page, `chains-${size}`);
     if (size === 'phone') return;
     const joined = await plan(page);
     assert.deepEqual(joined.machine.levers, { chains: { reach: 25, clearance: 1 } });
@@ -125,10 +125,10 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
   });
 }
 
-for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
-  test(`parts are connected by bridges, which are drawn, ${size}, ${theme}`, async (t) => {
+for (const size of ['desktop', 'phone']) {
+  test(`parts are connected by bridges, which are drawn, ${size}`, async (t) => {
     const nest = dxf(...[[0, 0], [28, 0], [0, 28], [28, 28]].map(([x, y]) => square(10 + x, 10 + y, 20)));
-    const page = await openPlanned(t, 'fibre-6kw-thick', 'nest.dxf', nest, { size: SIZES[size], theme, touch: size === 'phone' });
+    const page = await openPlanned(t, 'fibre-6kw-thick', 'nest.dxf', nest, { size: SIZES[size], touch: size === 'phone' });
     const machine = await machineSection(page, SIZES[size]);
     const bridges = machine.getByLabel('Connect parts by bridges');
     await replanned(page, () => bridges.check());
@@ -136,7 +136,7 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
     const right = async (label) => (await machine.getByLabel(label).boundingBox()).x;
     assert.equal(await right('Most parts together'), await right('Longest bridge'), 'fields stand below each other');
     await bridges.scrollIntoViewIfNeeded();
-    await shot(page, `bridges-${size}-${theme}`);
+    await shot(page, `bridges-${size}`);
     if (size === 'phone') return;
     const connected = await plan(page);
     assert.deepEqual(connected.machine.levers, { bridges: { width: 2, reach: 25, clearance: 1 } });
@@ -151,7 +151,7 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
 
 test('parts that come off their bridges may tip, and are marked', async (t) => {
   const plate = dxf(square(10, 10, 60), square(78, 30, 20), square(106, 30, 20), square(160, 10, 12));
-  const page = await openPlanned(t, 'fibre-6kw-thick', 'plate.dxf', plate, { size: SIZES.desktop, theme: 'light' });
+  const page = await openPlanned(t, 'fibre-6kw-thick', 'plate.dxf', plate);
   const machine = await machineSection(page, SIZES.desktop);
   await machine.getByText('Advanced settings', { exact: true }).click();
   await replanned(page, () => machine.getByLabel('Pierce time').fill('3'));
@@ -161,22 +161,22 @@ test('parts that come off their bridges may tip, and are marked', async (t) => {
   await replanned(page, () => machine.getByLabel('Pieces drop below').fill('5'));
   assert.equal((await plan(page)).summary.bridges, undefined, 'no part stays');
   await replanned(page, () => machine.getByLabel('Pieces tip below').fill('40'));
-  await shot(page, 'bridges-tips-desktop-light');
+  await shot(page, 'bridges-tips-desktop');
   const { summary, machine: { levers } } = await plan(page);
   assert.deepEqual([summary.bridges, summary.crossings, levers.bridges.cut_later, levers.tips.risky_moves], [2, undefined, true, 'avoid']);
 });
 
 const WEDGES = dxf(...[20, 70, 120].map((x) => polygon([[x, 20], [x + 30, 20], [x + 15, 46]])));
 
-for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
-  test(`corners are cut in loops or rounded, by rule and by hand, ${size}, ${theme}`, async (t) => {
-    const page = await openPlanned(t, 'fibre-6kw-plate', 'wedges.dxf', WEDGES, { size: SIZES[size], theme, touch: size === 'phone' });
+for (const size of ['desktop', 'phone']) {
+  test(`corners are cut in loops or rounded, by rule and by hand, ${size}`, async (t) => {
+    const page = await openPlanned(t, 'fibre-6kw-plate', 'wedges.dxf', WEDGES, { size: SIZES[size], touch: size === 'phone' });
     const machine = await machineSection(page, SIZES[size]);
     const corners = machine.getByLabel('Do not stop in corners');
     await replanned(page, () => corners.check());
     await replanned(page, () => machine.getByLabel('Radius of loops').fill('1'));
     await corners.scrollIntoViewIfNeeded();
-    await shot(page, `corners-${size}-${theme}`);
+    await shot(page, `corners-${size}`);
     if (size === 'phone') return;
     const looped = await plan(page);
     assert.deepEqual(looped.machine.levers.corners, { outer: 'loop', hole: 'stop', loop_radius: 1, clearance: 1, round_radius: 1, deviation: 0.1 });
@@ -191,15 +191,15 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
   });
 }
 
-for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
-  test(`parts that share sides are cut together, ${size}, ${theme}`, async (t) => {
+for (const size of ['desktop', 'phone']) {
+  test(`parts that share sides are cut together, ${size}`, async (t) => {
     const nest = dxf(...[[0, 0], [20, 0], [0, 20], [20, 20]].map(([x, y]) => square(10 + x, 10 + y, 20)));
-    const page = await openPlanned(t, 'fibre-6kw-thick', 'nest.dxf', nest, { size: SIZES[size], theme, touch: size === 'phone' });
+    const page = await openPlanned(t, 'fibre-6kw-thick', 'nest.dxf', nest, { size: SIZES[size], touch: size === 'phone' });
     const machine = await machineSection(page, SIZES[size]);
     const shared = machine.getByLabel('Cut shared sides together');
     await replanned(page, () => shared.check());
     await shared.scrollIntoViewIfNeeded();
-    await shot(page, `common-cuts-${size}-${theme}`);
+    await shot(page, `common-cuts-${size}`);
     if (size === 'phone') return;
     const joined = await plan(page);
     assert.deepEqual([joined.machine.levers, joined.summary.pierces], [{ common_cuts: {} }, 1]);
@@ -235,9 +235,9 @@ test('two switches within a second are two choices, which are undone one by one'
   assert.deepEqual(await states(), [false, false]);
 });
 
-for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
-  test(`a switch says what else it changes, and why others are off, ${size}, ${theme}`, async (t) => {
-    const page = await openPlanned(t, 'fibre-3kw-thin', 'lift.dxf', DRAWING, { size: SIZES[size], theme, touch: size === 'phone' });
+for (const size of ['desktop', 'phone']) {
+  test(`a switch says what else it changes, and why others are off, ${size}`, async (t) => {
+    const page = await openPlanned(t, 'fibre-3kw-thin', 'lift.dxf', DRAWING, { size: SIZES[size], touch: size === 'phone' });
     const machine = await machineSection(page, SIZES[size]);
     const box = (label) => machine.getByLabel(label, { exact: true });
     const [partial, moving, fly, lift, tips] = ['Allow partial cuts', 'Begin cuts moving', 'Cut rows and grids on the run', 'Lift the head between cuts', 'Mind pieces that tip'].map(box);
@@ -256,7 +256,7 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
     assert.equal(await moving.locator('xpath=../following-sibling::*[1]').isVisible(), true, 'and says so without a pointer');
     assert.equal(await machine.getByLabel('Moves over them').isDisabled(), true);
     await partial.scrollIntoViewIfNeeded();
-    await shot(page, `partial-${size}-${theme}`);
+    await shot(page, `partial-${size}`);
     if (size === 'desktop') assert.deepEqual(Object.keys((await plan(page)).machine.levers).sort(), ['lift', 'tips']);
     await partial.focus();
     await page.keyboard.press('Control+z');

@@ -3,112 +3,114 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { drop, dropAll, grid, openPage, phase, planned, replanned, sample, serious, shot, SIZES, still } from './page-support.mjs';
+import { drop, dropAll, grid, openPage, phase, planned, replanned, sample, searchFor, serious, shot, SIZES, still } from './page-support.mjs';
 
 for (const [name, size] of Object.entries(SIZES)) {
-  for (const theme of ['light', 'dark']) {
-    test(`every ability, ${name}, ${theme}`, async (t) => {
-      const narrow = size === SIZES.phone;
-      const { page } = await openPage(t, { size, theme, touch: narrow, hash: 'seconds=0.4' });
-      await phase(page, 'done');
-      const keep = async (what) => {
-        const over = await page.evaluate(() => [document.documentElement.scrollWidth - innerWidth, ...[...document.querySelectorAll('#sections *, #dock *, .top *, .card *')]
-          .filter((e) => e.getClientRects().length > 0 && e.getBoundingClientRect().right > innerWidth + 1 && !e.closest('.hidden, [popover]')).map((e) => e.outerHTML.slice(0, 80))].filter(Boolean));
-        assert.deepEqual(over, [], `${what}: nothing reaches over the edge`);
-        await shot(page, `look-${what}-${name}-${theme}`);
-      };
-      /** Shows one section of the panel, with these of its parts open. */
-      const panel = async (title, ...parts) => {
-        if (narrow && !(await page.evaluate(() => document.body.classList.contains('sheet-open')))) await page.locator('.sheet-toggle').click();
-        await page.evaluate(([title, parts]) => {
-          for (const s of document.querySelectorAll('.section')) s.open = s.querySelector('h2').textContent === title;
-          for (const d of document.querySelectorAll('.section details')) d.open = parts.includes(d.querySelector('summary').textContent);
-          document.querySelector('.section[open]').scrollIntoView({ block: 'start' });
-        }, [title, parts]);
-      };
-      const sheet = async () => {
-        if (narrow && (await page.evaluate(() => document.body.classList.contains('sheet-open')))) await page.locator('.sheet-toggle').click();
-      };
-      const clean = async (what) => assert.deepEqual(await serious(page), [], what);
+  test(`every ability, ${name}`, async (t) => {
+    const narrow = size === SIZES.phone;
+    const { page } = await openPage(t, { size, touch: narrow, hash: 'seconds=0.4' });
+    await phase(page, 'done');
+    const keep = async (what) => {
+      const over = await page.evaluate(() => [document.documentElement.scrollWidth - innerWidth, ...[...document.querySelectorAll('#sections *, #dock *, .top *, .card *')]
+        .filter((e) => e.getClientRects().length > 0 && e.getBoundingClientRect().right > innerWidth + 1 && !e.closest('.hidden, [popover]')).map((e) => e.outerHTML.slice(0, 80))].filter(Boolean));
+      assert.deepEqual(over, [], `${what}: nothing reaches over the edge`);
+      await shot(page, `look-${what}-${name}`);
+    };
+    /** Shows one section of the panel, with these of its parts open. */
+    const panel = async (title, ...parts) => {
+      if (narrow && !(await page.evaluate(() => document.body.classList.contains('sheet-open')))) await page.locator('.sheet-toggle').click();
+      await page.evaluate(([title, parts]) => {
+        for (const s of document.querySelectorAll('.section')) s.open = s.querySelector('h2').textContent === title;
+        for (const d of document.querySelectorAll('.section details')) d.open = parts.includes(d.querySelector('summary').textContent);
+        document.querySelector('.section[open]').scrollIntoView({ block: 'start' });
+      }, [title, parts]);
+    };
+    const sheet = async () => {
+      if (narrow && (await page.evaluate(() => document.body.classList.contains('sheet-open')))) await page.locator('.sheet-toggle').click();
+    };
+    const clean = async (what) => assert.deepEqual(await serious(page), [], what);
 
-      await keep('result');
-      await replanned(page, async () => {
-        await page.keyboard.press('k');
-        await keep('live');
-      });
-      await page.keyboard.press('c');
-      await page.locator('#playback input').evaluate((slider) => {
-        slider.value = 5000;
-        slider.dispatchEvent(new Event('input', { bubbles: true }));
-      });
-      await still(page);
-      await keep('playback');
-      await page.keyboard.press('c');
-      await page.keyboard.press('t');
-      await keep('table');
-      await page.keyboard.press('t');
-      await page.keyboard.press('?');
-      await keep('help');
-      await clean('help');
-      await page.keyboard.press('Escape');
-
-      await drop(page, 'rings.dxf', sample('parts-in-parts.dxf'));
-      await planned(page, 'rings.dxf', 'done');
-      for (const [step, key, pins] of [['Home', '1', 1], ['End', '0', 2], ['ArrowLeft', 'x', 3]]) {
-        await page.keyboard.press(step);
-        await replanned(page, () => page.keyboard.press(key));
-        await page.waitForFunction((n) => document.querySelectorAll('.pins').length === n, pins);
-      }
-      await still(page);
-      await keep('contour');
-      await panel('Drawing');
-      await keep('pins');
-      await clean('pins');
-      await page.keyboard.press('Escape');
-
-      await drop(page, 'careless.dxf', sample('gaps-and-copies.dxf'));
-      await planned(page, 'careless.dxf', 'done');
-      await panel('Drawing', 'Tolerances');
-      await page.locator('.tolerance-field input[type=number]').first().fill('0.01');
-      await page.waitForFunction(() => document.querySelector('.comparison').textContent.includes('joints'));
-      await page.locator('.comparison').scrollIntoViewIfNeeded();
-      await keep('preview');
-      await clean('preview');
-      await sheet();
-      await still(page);
-      await keep('preview-sheet');
-      await panel('Machine', 'Advanced settings', 'Your machines');
-      await keep('machine');
-      await panel('Plan');
-      const method = page.getByLabel('Method');
-      await method.selectOption({ label: 'Research methods…' });
-      await page.waitForFunction(() => document.querySelectorAll('optgroup option').length > 0);
-      await method.selectOption({ label: 'RLSGA' });
-      await phase(page, 'done');
-      await panel('Plan', 'Parameters');
-      await keep('plan');
-      await method.selectOption({ index: 0 });
-      await phase(page, 'done');
-      await panel('Quote');
-      await page.getByLabel(/^Thickness/).fill('3');
-      await page.getByLabel('Density').fill('7.85');
-      await page.keyboard.press('Tab');
-      await page.waitForFunction(() => document.querySelector('.section[open]').textContent.includes('Weight'));
-      await keep('quote');
-      await clean('quote');
-      await sheet();
-
-      await dropAll(page, [['one.dxf', grid(30)], ['broken.dxf', Buffer.from('AC1032\0\0')], ['a-plate-with-a-long-name.dxf', sample('no-units.dxf')], ['four.dxf', grid(12)]]);
-      await page.waitForFunction(() => document.querySelector('.queue').textContent === '4 of 4');
-      await page.locator('.queue').click();
-      await keep('queue');
-      await clean('queue');
-      await page.getByRole('button', { name: /^a-plate/ }).click();
-      await phase(page, 'question');
-      await keep('question');
-      await drop(page, 'broken.dxf', Buffer.from('AC1032\0\0'));
-      await page.locator('.failure').waitFor();
-      await keep('failed');
+    await keep('result');
+    // A search that lasts longer than its pictures take.
+    await searchFor(page, 60);
+    await page.waitForFunction(() => /moves\/s/.test(document.querySelector('.dock-state').textContent));
+    await keep('live');
+    await page.keyboard.press('s');
+    await phase(page, 'done');
+    await page.keyboard.press('Control+z');
+    await page.waitForFunction(() => location.hash.includes('seconds=0.4') && document.body.dataset.phase === 'done');
+    await page.keyboard.press('c');
+    await page.locator('#playback input').evaluate((slider) => {
+      slider.value = 5000;
+      slider.dispatchEvent(new Event('input', { bubbles: true }));
     });
-  }
+    await still(page);
+    await keep('playback');
+    await page.keyboard.press('c');
+    await page.keyboard.press('t');
+    await keep('table');
+    await page.keyboard.press('t');
+    await page.keyboard.press('?');
+    await keep('help');
+    await clean('help');
+    await page.keyboard.press('Escape');
+
+    await drop(page, 'rings.dxf', sample('parts-in-parts.dxf'));
+    await planned(page, 'rings.dxf', 'done');
+    for (const [step, key, pins] of [['Home', '1', 1], ['End', '0', 2], ['ArrowLeft', 'x', 3]]) {
+      await page.keyboard.press(step);
+      await replanned(page, () => page.keyboard.press(key));
+      await page.waitForFunction((n) => document.querySelectorAll('.pins').length === n, pins);
+    }
+    await still(page);
+    await keep('contour');
+    await panel('Drawing');
+    await keep('pins');
+    await clean('pins');
+    await page.keyboard.press('Escape');
+
+    await drop(page, 'careless.dxf', sample('gaps-and-copies.dxf'));
+    await planned(page, 'careless.dxf', 'done');
+    await panel('Drawing', 'Tolerances');
+    await page.locator('.tolerance-field input[type=number]').first().fill('0.01');
+    await page.waitForFunction(() => document.querySelector('.comparison').textContent.includes('joints'));
+    await page.locator('.comparison').scrollIntoViewIfNeeded();
+    await keep('preview');
+    await clean('preview');
+    await sheet();
+    await still(page);
+    await keep('preview-sheet');
+    await panel('Machine', 'Advanced settings', 'Your machines');
+    await keep('machine');
+    await panel('Plan');
+    const method = page.getByLabel('Method');
+    await method.selectOption({ label: 'Research methods…' });
+    await page.waitForFunction(() => document.querySelectorAll('optgroup option').length > 0);
+    await method.selectOption({ label: 'RLSGA' });
+    await phase(page, 'done');
+    await panel('Plan', 'Parameters');
+    await keep('plan');
+    await method.selectOption({ index: 0 });
+    await phase(page, 'done');
+    await panel('Quote');
+    await page.getByLabel(/^Thickness/).fill('3');
+    await page.getByLabel('Density').fill('7.85');
+    await page.keyboard.press('Tab');
+    await page.waitForFunction(() => document.querySelector('.section[open]').textContent.includes('Weight'));
+    await keep('quote');
+    await clean('quote');
+    await sheet();
+
+    await dropAll(page, [['one.dxf', grid(30)], ['broken.dxf', Buffer.from('AC1032\0\0')], ['a-plate-with-a-long-name.dxf', sample('no-units.dxf')], ['four.dxf', grid(12)]]);
+    await page.waitForFunction(() => document.querySelector('.queue').textContent === '4 of 4');
+    await page.locator('.queue').click();
+    await keep('queue');
+    await clean('queue');
+    await page.getByRole('button', { name: /^a-plate/ }).click();
+    await phase(page, 'question');
+    await keep('question');
+    await drop(page, 'broken.dxf', Buffer.from('AC1032\0\0'));
+    await page.locator('.failure').waitFor();
+    await keep('failed');
+  });
 }

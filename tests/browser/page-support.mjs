@@ -122,17 +122,51 @@ export async function dropAll(page, files) {
   );
 }
 
-/** The serious and critical violations that axe finds on the page or in one element. */
+/** Frames of the page after which a sheet that never rests, because its plan is still searched, counts as drawn in another theme. */
+const REPAINT = 30;
+
+/** Sets the theme of the system, and waits until the page has followed. */
+async function setTheme(page, theme) {
+  await page.emulateMedia({ colorScheme: theme });
+  await page.evaluate(followed, REPAINT);
+}
+
+/** Runs in the page: the first frame brings the change of the theme, the second draws what the workers are not needed for. */
+const followed = (most) => new Promise((resolve) => {
+  const look = (frames) => {
+    const isDrawn = [...document.querySelectorAll('canvas')].every((canvas) => canvas.ariaBusy !== 'true');
+    if (frames >= 2 && (isDrawn || (frames >= most && document.body.dataset.phase === 'planning'))) resolve();
+    else requestAnimationFrame(() => look(frames + 1));
+  };
+  look(0);
+});
+
+/** Does something with the page in its theme and then in the other one, and puts the theme back. A theme chosen on the page itself stays. */
+export async function inBothThemes(page, work) {
+  const own = await page.evaluate(() => (matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'));
+  const other = own === 'dark' ? 'light' : 'dark';
+  await work(own);
+  await setTheme(page, other);
+  await work(other);
+  await setTheme(page, own);
+}
+
+/** The serious and critical violations that axe finds on the page or in one element, in either theme. */
 export async function serious(page, within = 'html') {
   await page.evaluate(readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8'));
-  const found = await page.evaluate(async (within) => (await window.axe.run(within)).violations.map((v) => ({ id: v.id, impact: v.impact, at: v.nodes.map((n) => n.target.join(' ')) })), within);
+  const found = [];
+  await inBothThemes(page, async (theme) => {
+    const violations = await page.evaluate(async (within) => (await window.axe.run(within)).violations.map((v) => ({ id: v.id, impact: v.impact, at: v.nodes.map((n) => n.target.join(' ')) })), within);
+    found.push(...violations.map((v) => ({ theme, ...v })));
+  });
   return found.filter((v) => v.impact === 'serious' || v.impact === 'critical');
 }
 
-/** Saves a screenshot in target/shots, for people to look at. */
-export async function shot(page, name) {
-  await page.screenshot({ path: join(ROOT, 'target', 'shots', `${name}.png`) });
-}
+/** Saves a screenshot in target/shots. */
+export const picture = (page, name) => page.screenshot({ path: join(ROOT, 'target', 'shots', `${name}.png`) });
+
+/** Saves screenshots in both themes in target/shots, NAME-light.png and NAME-dark.png, for people to look at. */
+export const shot = (page, name) => inBothThemes(page, (theme) => picture(page, `${name}-${theme}`));
 
 const canvasShot = (page) => page.locator('#canvas').screenshot();
 
@@ -171,6 +205,12 @@ export function steady(page, selector, frames = 40) {
     look();
   }), [selector, frames]);
 }
+
+/** Sets how long is searched, as a preparation: nobody presses anything. */
+export const searchFor = (page, seconds) => page.getByLabel('Search for').evaluate((list, seconds) => {
+  list.value = String(seconds);
+  list.dispatchEvent(new Event('change'));
+}, seconds);
 
 /** Waits for so many frames of the page. */
 export function nextFrames(page, count) {

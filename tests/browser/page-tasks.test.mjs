@@ -6,7 +6,7 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { changedFrom, download, openPage, phase, planned, SIZES, tap } from './page-support.mjs';
+import { changedFrom, download, openPage, phase, planned, searchFor, SIZES, tap } from './page-support.mjs';
 
 /** Nine plates with two holes each, an open line, and a note on a layer of its own. The middle of the sheet is inside the plate in the middle. */
 function plates() {
@@ -117,12 +117,6 @@ const button = (page, name, within = 'body') => page.locator(within).getByRole('
 const sections = (page) => page.locator('#sections').textContent();
 const says = (page, text) => page.waitForFunction((text) => document.querySelector('#sections').textContent.includes(text), text);
 const card = (page) => page.locator('.card.contour');
-
-/** Sets how long is searched, as a preparation: nobody presses anything. */
-const searchFor = (page, seconds) => page.getByLabel('Search for').evaluate((list, seconds) => {
-  list.value = String(seconds);
-  list.dispatchEvent(new Event('change'));
-}, seconds);
 
 /** Each task with what is pressed, and how to tell that it is done. */
 const TASKS = [
