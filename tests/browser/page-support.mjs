@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { delimiter, dirname, isAbsolute, join } from 'node:path';
+import { after } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import { serve } from '../../scripts/serve.mjs';
@@ -16,18 +17,24 @@ const PATIENCE = 60_000;
 
 export const SIZES = { desktop: { width: 1440, height: 900 }, phone: { width: 390, height: 844 } };
 
+/** The browser of this test file, once a test needs it. */
+let browser = null;
+after(async () => (await browser)?.close());
+
+const launched = () => (browser ??= chromium.launch({
+  executablePath: browserPath(),
+  args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'],
+}));
+
 /**
- * Opens the built page, and closes everything when the test ends. Errors on the page fail the test, unless `broken`. `sent` lists the files whose
- * bytes the server has sent, to the page or to its service worker, and where the bytes came from.
+ * Opens the built page in a context of its own, with its own storage and service worker, and closes everything when the test ends. Errors on the page
+ * fail the test, unless `broken`. `sent` lists the files whose bytes the server has sent, to the page or to its service worker, and where the bytes
+ * came from.
  */
 export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch = false, hash = '', prepare, broken = false } = {}) {
   const sent = [];
   const server = await serve(join(ROOT, 'dist', 'app'), 0, {}, (file, source) => sent.push({ file, source }));
-  const browser = await chromium.launch({
-    executablePath: browserPath(),
-    args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'],
-  });
-  const context = await browser.newContext({ viewport: size, colorScheme: theme, hasTouch: touch, acceptDownloads: true });
+  const context = await (await launched()).newContext({ viewport: size, colorScheme: theme, hasTouch: touch, acceptDownloads: true });
   context.setDefaultTimeout(PATIENCE);
   await context.addInitScript(countPlansAndClicks);
   const page = await context.newPage();
@@ -36,9 +43,9 @@ export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch
   page.on('request', (request) => requests.push(request.url()));
   page.on('pageerror', (error) => errors.push(String(error)));
   page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
-  // The browser is closed first, because a page that still fills its cache needs the server.
+  // The context is closed first, because a page that still fills its cache needs the server.
   t.after(async () => {
-    await browser.close();
+    await context.close();
     await server.close();
     if (!broken) assert.deepEqual(errors, []);
   });
