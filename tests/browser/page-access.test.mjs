@@ -165,8 +165,8 @@ test('two fingers zoom the sheet, one moves it', async (t) => {
 });
 
 test('the theme follows the system, can be switched and is kept', async (t) => {
-  const { page } = await openPage(t, { theme: 'dark' });
-  await phase(page, 'planning');
+  const { page } = await openPage(t, { theme: 'dark', hash: 'seconds=0.4' });
+  await phase(page, 'planning', 'done');
   const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
   const grounds = {};
   await inBothThemes(page, async (theme) => (grounds[theme] = await ground()));
@@ -175,7 +175,7 @@ test('the theme follows the system, can be switched and is kept', async (t) => {
   await page.getByRole('button', { name: 'Light theme' }).click();
   assert.equal(await ground(), grounds.light);
   await page.reload();
-  await phase(page, 'planning');
+  await phase(page, 'planning', 'done');
   assert.equal(await ground(), grounds.light);
 });
 

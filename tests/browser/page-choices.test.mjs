@@ -112,8 +112,8 @@ test('on a phone nothing in the top bar lies over something else', async (t) => 
 });
 
 test('after a first visit the page works without a network, with the methods of papers and pictures that were used', async (t) => {
-  const { page } = await openPage(t);
-  await phase(page, 'planning');
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
+  await phase(page, 'planning', 'done');
   await page.evaluate(() => navigator.serviceWorker.ready);
   await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
   const useAll = async () => {

@@ -8,6 +8,8 @@ import { download, openPage, phase } from './page-support.mjs';
 test('a program is checked below the downloads, and a dialect of one\'s own is tried while it is typed', async (t) => {
   const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'done');
+  // The writers, which check it, are loaded when somebody uses the page, or after twelve seconds.
+  await page.keyboard.press('Shift');
   const preflight = page.locator('.preflight');
   await preflight.getByText('The program passes its check').waitFor();
   assert.match(await preflight.innerText(), /The program passes its check[^]*500 contours, each cut once[^]*beam off on every rapid[^]*read back as grbl-m4/);

@@ -28,7 +28,7 @@ const gist = (page) => page.locator('.section').first().textContent();
 
 for (const [name, size] of Object.entries(SIZES)) {
   test(`a frame that may be the sheet is asked about once, and the answer can be taken back (${name})`, async (t) => {
-    const { page } = await openPage(t, { size });
+    const { page } = await openPage(t, { size, hash: 'seconds=0.4' });
     await phase(page, 'planning', 'done');
     await drop(page, 'frame.dxf', FRAME);
     await phase(page, 'question');
@@ -49,7 +49,7 @@ for (const [name, size] of Object.entries(SIZES)) {
   });
 
   test(`lettering is one finding with its choices (${name})`, async (t) => {
-    const { page } = await openPage(t, { size });
+    const { page } = await openPage(t, { size, hash: 'seconds=0.4' });
     await phase(page, 'planning', 'done');
     await drop(page, 'lettered.dxf', LETTERED);
     await planned(page, 'lettered.dxf');
@@ -65,7 +65,7 @@ for (const [name, size] of Object.entries(SIZES)) {
   });
 
   test(`pixels of an unknown program are asked about, and the job is planned (${name})`, async (t) => {
-    const { page } = await openPage(t, { size });
+    const { page } = await openPage(t, { size, hash: 'seconds=0.4' });
     await phase(page, 'planning', 'done');
     await drop(page, 'pixels.svg', PIXELS);
     await phase(page, 'question');

@@ -158,7 +158,7 @@ test('a project file holds everything: the page opens it again, and the command 
 });
 
 test('on a phone a refused file leaves room for the drawing, and can be closed', async (t) => {
-  const { page } = await openPage(t, { size: SIZES.phone, touch: true });
+  const { page } = await openPage(t, { size: SIZES.phone, touch: true, hash: 'seconds=0.4' });
   await done(page, 'own.dxf', grid(20));
   await drop(page, 'a long name of a letter to somebody.pdf', Buffer.from('%PDF-1.7'));
   await page.locator('.failure').waitFor();

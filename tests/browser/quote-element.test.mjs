@@ -4,11 +4,13 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { describe, it } from 'node:test';
 import { quote } from 'kerfway';
-import { bytes, circle, dxf, KEYBOARD, square } from '../package/support.mjs';
+import { bytes, circle, dxf, square } from '../package/support.mjs';
 import { base64, embedding, openHost } from './embed-support.mjs';
 import { inBothThemes, picture, serious } from './page-support.mjs';
 
 const at = embedding();
+/** A real drawing of eight parts, which is quoted in a second. */
+const PLATES = 'dxf-dev/gdsestimating_dxf-parser__polylines.dxf';
 const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
 /** 100 x 100 less a hole of 20 across, mm2. */
 const NET = 1e4 - Math.PI * 100;
@@ -61,10 +63,10 @@ describe('<kerfway-quote>', () => {
 
   it('reports the file that is chosen, as a server that plans again confirms by the hash', async (t) => {
     const { page } = await open(t, 'thickness="3" density="0.7" material="birch"');
-    await choose(page, 'keyboard.dxf', bytes(KEYBOARD));
+    await choose(page, 'plates.dxf', bytes(PLATES));
     await state(page, 'done');
     const [told] = await results(page);
-    const again = await quote(bytes(KEYBOARD), { name: 'keyboard.dxf', units: 'mm', material: { name: 'birch', thickness: 3, density: 0.7 } });
+    const again = await quote(bytes(PLATES), { name: 'plates.dxf', units: 'mm', material: { name: 'birch', thickness: 3, density: 0.7 } });
     assert.equal(told.hash, again.hash);
     assert.deepEqual(told, again);
     const types = await page.evaluate(() => window.events.map(([type]) => type));
@@ -73,7 +75,7 @@ describe('<kerfway-quote>', () => {
     assert.equal(rows.Parts.split(',')[0], String(told.part_count));
     assert.match(rows.Confidence, new RegExp(`^${told.confidence.level}`));
     const [file] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download the report' }).click()]);
-    assert.equal(file.suggestedFilename(), 'keyboard.quote.json');
+    assert.equal(file.suggestedFilename(), 'plates.quote.json');
     assert.deepEqual(JSON.parse(readFileSync(await file.path(), 'utf8')), told);
   });
 
@@ -145,7 +147,7 @@ describe('<kerfway-quote>', () => {
       // The element draws a file in the theme that holds when it is chosen.
       await inBothThemes(page, async (theme) => {
         const before = (await results(page)).length;
-        await choose(page, 'keyboard.dxf', bytes(KEYBOARD));
+        await choose(page, 'plates.dxf', bytes(PLATES));
         await count(page, before + 1);
         await state(page, 'done');
         assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, theme);
