@@ -208,7 +208,7 @@ fn nearest_by_table(space: &Space, item: u32, place: Place, back: bool) -> Vec<(
     let by_cost = |n: &(f64, u32)| [real(n.0), n.1.into(), 0];
     sort_by(&mut others, by_cost);
     let mut taken = PER_GATE - APART;
-    for k in taken..others.len() {
+    for k in PER_GATE - APART..others.len() {
         let (cost, other) = others[k];
         let is_nearer = |p| space.at_least(p, other, back) < cost;
         if taken < PER_GATE && !others[..taken].iter().any(|n| space.places(n.1).iter().any(is_nearer)) {
