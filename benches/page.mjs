@@ -12,7 +12,9 @@ import { build } from '../scripts/build.mjs';
 import { serve } from '../scripts/serve.mjs';
 import { findBrowser, setup } from '../scripts/setup.mjs';
 import { DIST } from '../scripts/tools.mjs';
-import { grid, pan, planned, SIZES, tasksOf, watchFrames, zoom } from '../tests/browser/page-support.mjs';
+import { grid } from '../tests/browser/page-drawings.mjs';
+import { pan, tasksOf, watchFrames, zoom } from '../tests/browser/page-frames.mjs';
+import { planned, SIZES } from '../tests/browser/page-support.mjs';
 import { median, ms, table } from './common/table.mjs';
 
 const VISITS = 5;

@@ -5,7 +5,8 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { dxf, polygon } from '../tests/package/support.mjs';
-import { machineSection, openPlanned, replanned, SIZES, still } from '../tests/browser/page-support.mjs';
+import { still } from '../tests/browser/page-pictures.mjs';
+import { machineSection, openPlanned, replanned, SIZES } from '../tests/browser/page-support.mjs';
 import { createPlanner } from '../dist/sdk/node.js';
 import { main, ROOT, run } from './tools.mjs';
 

@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { describe, it } from 'node:test';
 import { bytes, circle, dxf, KEYBOARD, square } from '../package/support.mjs';
 import { base64, embedding, openHost } from './embed-support.mjs';
-import { beamRuns } from './page-support.mjs';
+import { beamRuns } from './page-drawings.mjs';
 
 const at = embedding();
 const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));

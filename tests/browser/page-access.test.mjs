@@ -2,7 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { changedFrom, inBothThemes, openEverything, openPage, phase, serious, shot, SIZES, still, tap } from './page-support.mjs';
+import { changedFrom, inBothThemes, serious, shot, still } from './page-pictures.mjs';
+import { openEverything, openPage, phase, SIZES, tap } from './page-support.mjs';
 
 test('everything can be done by keyboard', async (t) => {
   const { page } = await openPage(t);

@@ -2,7 +2,9 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { changedFrom, drop, grid, openPage, phase, planned, sample, shot, SIZES, still, tap } from './page-support.mjs';
+import { grid, sample } from './page-drawings.mjs';
+import { changedFrom, shot, still } from './page-pictures.mjs';
+import { drop, openPage, phase, planned, SIZES, tap } from './page-support.mjs';
 
 test('the frame of the page is visible before its script runs', async (t) => {
   const { page, url } = await openPage(t);

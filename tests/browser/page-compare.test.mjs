@@ -2,7 +2,9 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { changedFrom, download, drop, grid, openPage, phase, planned, sample, serious, shot, SIZES, still } from './page-support.mjs';
+import { grid, sample } from './page-drawings.mjs';
+import { changedFrom, serious, shot, still } from './page-pictures.mjs';
+import { download, drop, openPage, phase, planned, SIZES } from './page-support.mjs';
 
 const total = (page) => page.locator('#playback .whole').textContent();
 /** Seconds of "627 s", "1:52.1", "16:40" and "1:02:03". */

@@ -2,7 +2,9 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { beamRuns, changedFrom, download, drop, dropAll, grid, openPage, phase, planned, sample, still } from './page-support.mjs';
+import { beamRuns, grid, sample } from './page-drawings.mjs';
+import { changedFrom, still } from './page-pictures.mjs';
+import { download, drop, dropAll, openPage, phase, planned } from './page-support.mjs';
 
 const open = (page) => page.evaluate(() => document.querySelectorAll('.section').forEach((d) => (d.open = d.textContent.startsWith('Drawing'))));
 const listed = (page) => page.evaluate(() => [...document.querySelectorAll('.pins')].map((p) => p.firstChild.textContent).join());

@@ -2,7 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { drop, grid, openPage, phase, planned, sample } from './page-support.mjs';
+import { grid, sample } from './page-drawings.mjs';
+import { drop, openPage, phase, planned } from './page-support.mjs';
 
 const WRONG = [
   ['photo.png', Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0, 0, 0, 13, 0x49, 0x48, 0x44, 0x52]), /PNG/],

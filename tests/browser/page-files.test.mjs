@@ -4,7 +4,9 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { SAMPLES } from '../../scripts/samples.mjs';
-import { drop, dropAll, grid, machineSection, openPage, phase, plan, planned, replanned, sample, serious, shot, SIZES } from './page-support.mjs';
+import { grid, sample } from './page-drawings.mjs';
+import { serious, shot } from './page-pictures.mjs';
+import { drop, dropAll, machineSection, openPage, phase, plan, planned, replanned, SIZES } from './page-support.mjs';
 
 const queue = (page) => page.locator('button.queue');
 const told = (page, words) => page.waitForFunction((w) => document.querySelector('button.queue').textContent.startsWith(w), words);

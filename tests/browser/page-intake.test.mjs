@@ -2,7 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { download, drop, openPage, phase, planned, shot, SIZES } from './page-support.mjs';
+import { shot } from './page-pictures.mjs';
+import { download, drop, openPage, phase, planned, SIZES } from './page-support.mjs';
 
 const drawing = (...entities) => Buffer.from(['0', 'SECTION', '2', 'HEADER', '9', '$INSUNITS', '70', '4', '0', 'ENDSEC', '0', 'SECTION', '2', 'ENTITIES', ...entities.flat(), '0', 'ENDSEC', '0', 'EOF', ''].join('\n'));
 const path = (points, closed, layer = '0') => ['0', 'LWPOLYLINE', '8', layer, '90', points.length, '70', closed ? 1 : 0, ...points.flatMap(([x, y]) => ['10', x, '20', y])];

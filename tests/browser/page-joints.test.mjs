@@ -3,7 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { circle, dxf, square } from '../package/support.mjs';
-import { openMachinePart, plan, replanned, shot, SIZES } from './page-support.mjs';
+import { shot } from './page-pictures.mjs';
+import { openMachinePart, plan, replanned, SIZES } from './page-support.mjs';
 
 const DRAWING = dxf([...square(20, 20, 40), ...square(75, 20, 40), ...circle(40, 40, 8), ...circle(95, 40, 12)]);
 

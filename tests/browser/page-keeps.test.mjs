@@ -7,7 +7,9 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { download, drop, grid, openPage, phase, planned, replanned, shot, SIZES, storedWith, tap } from './page-support.mjs';
+import { grid } from './page-drawings.mjs';
+import { shot } from './page-pictures.mjs';
+import { download, drop, openPage, phase, planned, replanned, SIZES, storedWith, tap } from './page-support.mjs';
 
 const CLI = join(dirname(dirname(dirname(fileURLToPath(import.meta.url)))), 'dist', 'sdk', 'cli.js');
 

@@ -3,7 +3,8 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { download, drop, openPage, phase, replanned, shot, SIZES, still } from './page-support.mjs';
+import { shot, still } from './page-pictures.mjs';
+import { download, drop, openPage, phase, replanned, SIZES } from './page-support.mjs';
 
 const SHEET = readFileSync(new URL('../fixtures/plate/one-kerf-apart.dxf', import.meta.url));
 const HASH = 'machine=fibre-6kw-plate&seconds=0.4&seed=1';

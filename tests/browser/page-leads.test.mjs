@@ -3,7 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { dxf, square } from '../package/support.mjs';
-import { openMachinePart, plan, replanned, shot, SIZES } from './page-support.mjs';
+import { shot } from './page-pictures.mjs';
+import { openMachinePart, plan, replanned, SIZES } from './page-support.mjs';
 
 // Three squares 1.2 mm apart: the middle one has room above and below only.
 const DRAWING = dxf([...square(20, 20, 40), ...square(61.2, 20, 40), ...square(102.4, 20, 40), ...square(30, 30, 15)]);

@@ -3,7 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { circle, dxf, polygon, square } from '../package/support.mjs';
-import { machineSection, openPlanned, output, plan, replanned, shot, SIZES } from './page-support.mjs';
+import { shot } from './page-pictures.mjs';
+import { machineSection, openPlanned, output, plan, replanned, SIZES } from './page-support.mjs';
 
 const DRAWING = dxf([...square(20, 20, 40), ...square(80, 20, 40), ...square(30, 30, 15)]);
 

@@ -3,7 +3,9 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { drop, dropAll, grid, openPage, phase, planned, replanned, sample, searchFor, serious, shot, SIZES, still } from './page-support.mjs';
+import { grid, sample } from './page-drawings.mjs';
+import { serious, shot, still } from './page-pictures.mjs';
+import { drop, dropAll, openPage, phase, planned, replanned, searchFor, SIZES } from './page-support.mjs';
 
 for (const [name, size] of Object.entries(SIZES)) {
   test(`every ability, ${name}`, async (t) => {

@@ -3,7 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { dxf, square } from '../package/support.mjs';
-import { openPage, openPlanned, output, phase, plan, replanned, shot, SIZES, still } from './page-support.mjs';
+import { shot, still } from './page-pictures.mjs';
+import { openPage, openPlanned, output, phase, plan, replanned, SIZES } from './page-support.mjs';
 
 const DRAWING = dxf(square(-20, 10, 50));
 

@@ -2,7 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { download, drop, openPage, phase, planned, replanned, shot, SIZES, tap } from './page-support.mjs';
+import { shot } from './page-pictures.mjs';
+import { download, drop, openPage, phase, planned, replanned, SIZES, tap } from './page-support.mjs';
 
 const card = (page) => page.getByRole('region', { name: 'Selected contour' });
 const pins = (page) => page.evaluate(() => [...document.querySelectorAll('.pins')].map((p) => p.firstChild.textContent));

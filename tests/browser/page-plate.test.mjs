@@ -3,7 +3,8 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { download, drop, openPage, phase, replanned, shot } from './page-support.mjs';
+import { shot } from './page-pictures.mjs';
+import { download, drop, openPage, phase, replanned } from './page-support.mjs';
 
 const SHEET = readFileSync(new URL('../fixtures/plate/shared-sides.dxf', import.meta.url));
 

@@ -3,7 +3,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { dxf, square } from '../package/support.mjs';
-import { drop, grid, openPage, phase, planned, sample, SIZES, still } from './page-support.mjs';
+import { grid, sample } from './page-drawings.mjs';
+import { still } from './page-pictures.mjs';
+import { drop, openPage, phase, planned, SIZES } from './page-support.mjs';
 
 test('a contour that is stepped to slides up above its card', async (t) => {
   const { page } = await openPage(t, { size: { width: 1440, height: 700 }, hash: 'seconds=0.4&units=mm' });

@@ -3,7 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { circle, dxf, square } from '../package/support.mjs';
-import { openPlanned, plan, replanned, serious, shot, SIZES } from './page-support.mjs';
+import { serious, shot } from './page-pictures.mjs';
+import { openPlanned, plan, replanned, SIZES } from './page-support.mjs';
 
 // Six plates in a row, each with a hole.
 const DRAWING = dxf(Array.from({ length: 6 }, (_, k) => [...square(20 + 60 * k, 20, 40), ...circle(40 + 60 * k, 40, 8)]).flat());

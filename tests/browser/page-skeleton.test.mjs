@@ -3,7 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { circle, dxf, square } from '../package/support.mjs';
-import { download, machineSection, openPlanned, plan, replanned, shot, SIZES, still } from './page-support.mjs';
+import { shot, still } from './page-pictures.mjs';
+import { download, machineSection, openPlanned, plan, replanned, SIZES } from './page-support.mjs';
 
 // The border of the sheet is clear, and ignored.
 const DRAWING = dxf(square(0, 0, 300, 'SHEET'), square(20, 20, 60), circle(50, 50, 20), circle(150, 100, 30), square(20, 120, 60), circle(50, 150, 20));

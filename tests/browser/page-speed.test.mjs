@@ -2,7 +2,9 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { download, drop, grid, nextFrames, openPage, phase, planned, roam, tasksOf, watchFrames, until } from './page-support.mjs';
+import { grid } from './page-drawings.mjs';
+import { roam, tasksOf, watchFrames } from './page-frames.mjs';
+import { download, drop, nextFrames, openPage, phase, planned, until } from './page-support.mjs';
 
 /** Milliseconds: a frame longer than this is seen as a jerk. */
 const FRAME = 50;

@@ -1,30 +1,41 @@
-// Helpers of the page's tests: the built page in Chromium, dropping files on it, making drawings, reading G-code back.
+// Helpers of the page's tests: opens the built page in Chromium, does what people do, and waits for what follows.
 
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { delimiter, dirname, isAbsolute, join } from 'node:path';
-import { after } from 'node:test';
-import { fileURLToPath } from 'node:url';
+import { delimiter, isAbsolute, join } from 'node:path';
 import { chromium } from 'playwright-core';
 import { serve } from '../../scripts/serve.mjs';
 import { findBrowser } from '../../scripts/setup.mjs';
-
-const ROOT = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
+import { DIST } from '../../scripts/tools.mjs';
 
 /** Milliseconds that anything may take on a busy machine before a test gives up. */
-const PATIENCE = 60_000;
+export const PATIENCE = 60_000;
 
 export const SIZES = { desktop: { width: 1440, height: 900 }, phone: { width: 390, height: 844 } };
 
-/** The browser of this test file, once a test needs it. */
+/** The browser, while there is one, and how many pages of it are open. */
 let browser = null;
-after(async () => (await browser)?.close());
+let open = 0;
+/** Milliseconds that the browser stays without a page: the next test of the file opens one at once. */
+const STAYS = 100;
 
-const launched = () => (browser ??= chromium.launch({
-  executablePath: browserPath(),
-  args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'],
-}));
+function launched() {
+  open += 1;
+  return (browser ??= chromium.launch({
+    executablePath: browserPath(),
+    args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'],
+  }));
+}
+
+function leave() {
+  open -= 1;
+  setTimeout(async () => {
+    const left = open === 0 ? browser : null;
+    if (left === null) return;
+    browser = null;
+    await (await left).close();
+  }, STAYS);
+}
 
 /**
  * Opens the built page in a context of its own, with its own storage and service worker, and closes everything when the test ends. Errors on the page
@@ -33,7 +44,7 @@ const launched = () => (browser ??= chromium.launch({
  */
 export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch = false, hash = '', prepare, broken = false } = {}) {
   const sent = [];
-  const server = await serve(join(ROOT, 'dist', 'app'), 0, {}, (file, source) => sent.push({ file, source }));
+  const server = await serve(join(DIST, 'app'), 0, {}, (file, source) => sent.push({ file, source }));
   const context = await (await launched()).newContext({ viewport: size, colorScheme: theme, hasTouch: touch, acceptDownloads: true });
   context.setDefaultTimeout(PATIENCE);
   await context.addInitScript(countPlansAndClicks);
@@ -46,6 +57,7 @@ export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch
   // The context is closed first, because a page that still fills its cache needs the server.
   t.after(async () => {
     await context.close();
+    leave();
     await server.close();
     if (!broken) assert.deepEqual(errors, []);
   });
@@ -127,75 +139,6 @@ export async function dropAll(page, files) {
     },
     files.map(([name, bytes]) => [name, Buffer.from(bytes).toString('base64')]),
   );
-}
-
-/** Frames of the page after which a sheet that never rests, because its plan is still searched, counts as drawn in another theme. */
-const REPAINT = 30;
-
-/** Sets the theme of the system, and waits until the page has followed. */
-async function setTheme(page, theme) {
-  await page.emulateMedia({ colorScheme: theme });
-  await page.evaluate(followed, REPAINT);
-}
-
-/** Runs in the page: the first frame brings the change of the theme, the second draws what the workers are not needed for. */
-const followed = (most) => new Promise((resolve) => {
-  const look = (frames) => {
-    const isDrawn = [...document.querySelectorAll('canvas')].every((canvas) => canvas.ariaBusy !== 'true');
-    if (frames >= 2 && (isDrawn || (frames >= most && document.body.dataset.phase === 'planning'))) resolve();
-    else requestAnimationFrame(() => look(frames + 1));
-  };
-  look(0);
-});
-
-/** Does something with the page in its theme and then in the other one, and puts the theme back. A theme chosen on the page itself stays. */
-export async function inBothThemes(page, work) {
-  const own = await page.evaluate(() => (matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'));
-  const other = own === 'dark' ? 'light' : 'dark';
-  await work(own);
-  await setTheme(page, other);
-  await work(other);
-  await setTheme(page, own);
-}
-
-/** The serious and critical violations that axe finds on the page or in one element, in either theme. */
-export async function serious(page, within = 'html') {
-  await page.evaluate(readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8'));
-  const found = [];
-  await inBothThemes(page, async (theme) => {
-    const violations = await page.evaluate(async (within) => (await window.axe.run(within)).violations.map((v) => ({ id: v.id, impact: v.impact, at: v.nodes.map((n) => n.target.join(' ')) })), within);
-    found.push(...violations.map((v) => ({ theme, ...v })));
-  });
-  return found.filter((v) => v.impact === 'serious' || v.impact === 'critical');
-}
-
-/** Saves a screenshot in target/shots. */
-export const picture = (page, name) => page.screenshot({ path: join(ROOT, 'target', 'shots', `${name}.png`) });
-
-/** Saves screenshots in both themes in target/shots, NAME-light.png and NAME-dark.png, for people to look at. */
-export const shot = (page, name) => inBothThemes(page, (theme) => picture(page, `${name}-${theme}`));
-
-const canvasShot = (page) => page.locator('#canvas').screenshot();
-
-/** How often the picture must be the same in a row to count as still. */
-const STILL = 3;
-
-/** Waits until the sheet does not change any more, and nothing more is being drawn; returns its picture. */
-export async function still(page) {
-  let last = await canvasShot(page);
-  for (let same = 1; same < STILL; ) {
-    await page.waitForFunction(() => document.querySelector('#canvas').ariaBusy !== 'true');
-    const next = await canvasShot(page);
-    same = next.equals(last) ? same + 1 : 1;
-    last = next;
-  }
-  return last;
-}
-
-/** Waits until the sheet looks different from a picture. */
-export async function changedFrom(page, picture) {
-  const end = Date.now() + PATIENCE;
-  while ((await canvasShot(page)).equals(picture)) assert.ok(Date.now() < end, 'the sheet changes');
 }
 
 /** Waits until the text of an element has stayed the same for so many frames of the page. */
@@ -313,108 +256,4 @@ export async function openMachinePart(t, part, name, bytes, options = {}) {
   const opened = machine.locator('details.more', { hasText: part });
   await opened.evaluate((d) => (d.open = true));
   return { page, opened };
-}
-
-/** A file of the page's own samples. */
-export const sample = (name) => readFileSync(join(ROOT, 'www', 'app', 'public', 'samples', name));
-
-/** A DXF of circles and squares on a grid, `count` contours in all, mm; above and right of the origin, so on every bed. */
-export function grid(count, { units = 4, step = 12 } = {}) {
-  const columns = Math.ceil(Math.sqrt(count * 2));
-  const text = ['0', 'SECTION', '2', 'HEADER', ...(units === null ? [] : ['9', '$INSUNITS', '70', units]), '0', 'ENDSEC', '0', 'SECTION', '2', 'ENTITIES'];
-  for (let i = 0; i < count; i += 1) {
-    const x = (i % columns + 0.5) * step, y = (Math.floor(i / columns) + 0.5) * step;
-    if (i % 3 > 0) text.push('0', 'CIRCLE', '8', 'HOLES', '10', x, '20', y, '40', step * (0.2 + (i % 5) * 0.04));
-    else {
-      text.push('0', 'LWPOLYLINE', '8', 'CUT', '90', 4, '70', 1);
-      for (const [dx, dy] of [[-1, -1], [1, -1], [1, 1], [-1, 1]]) text.push('10', x + dx * step * 0.3, '20', y + dy * step * 0.3);
-    }
-  }
-  text.push('0', 'ENDSEC', '0', 'EOF');
-  return Buffer.from(`${text.join('\n')}\n`);
-}
-
-/**
- * Runs a G-code program as a controller would. Returns each unbroken stretch with the beam on: where it begins and
- * ends and its length, mm. Fails when the beam is on during a rapid.
- */
-export function beamRuns(program) {
-  const runs = [];
-  let at = { x: 0, y: 0 };
-  let motion = 0, power = 0, mode = 5, run = null;
-  for (const line of program.split('\n')) {
-    const words = [...line.replace(/;.*|\(.*?\)/g, '').matchAll(/([A-Z])\s*(-?[\d.]+)/g)].map(([, letter, value]) => [letter, Number(value)]);
-    const word = Object.fromEntries(words);
-    for (const [letter, value] of words) {
-      if (letter === 'G' && value <= 3) motion = value;
-      if (letter === 'M' && value >= 3 && value <= 5) mode = value;
-      if (letter === 'S') power = value;
-    }
-    if (word.X === undefined && word.Y === undefined) continue;
-    const to = { x: word.X ?? at.x, y: word.Y ?? at.y };
-    const on = mode !== 5 && power > 0;
-    if (motion === 0) {
-      assert.ok(!on, `the beam is on during a rapid: ${line}`);
-      run = null;
-    } else if (on) {
-      if (!run) runs.push((run = { from: at, to, length: 0 }));
-      run.to = to;
-      run.length += motion === 1 ? Math.hypot(to.x - at.x, to.y - at.y) : arcLength(at, to, { x: at.x + (word.I ?? 0), y: at.y + (word.J ?? 0) }, motion === 3);
-    }
-    at = to;
-  }
-  return runs;
-}
-
-function arcLength(from, to, center, ccw) {
-  const a = Math.atan2(from.y - center.y, from.x - center.x), b = Math.atan2(to.y - center.y, to.x - center.x);
-  const turn = (ccw ? b - a : a - b) % (2 * Math.PI);
-  return Math.hypot(from.x - center.x, from.y - center.y) * (turn <= 1e-9 ? turn + 2 * Math.PI : turn);
-}
-
-/** Runs in the page: records the time between frames. */
-export const watchFrames = () => {
-  window.frames = [];
-  let before = 0;
-  const frame = (now) => {
-    if (before) window.frames.push(now - before);
-    before = now;
-    requestAnimationFrame(frame);
-  };
-  requestAnimationFrame(frame);
-};
-
-/** Processor milliseconds of each task the page's thread ran while `act` went on, longest first. */
-export async function tasksOf(page, act) {
-  const browser = page.context().browser();
-  await browser.startTracing(page, { categories: ['toplevel', 'devtools.timeline', 'disabled-by-default-devtools.timeline'] });
-  await act();
-  const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
-  const main = new Set(traceEvents.filter((e) => e.name === 'thread_name' && e.args.name === 'CrRendererMain').map((e) => `${e.pid} ${e.tid}`));
-  // The scheduler reports each task twice, under two names.
-  const tasks = traceEvents.filter((e) => e.ph === 'X' && e.name === 'ThreadControllerImpl::RunTask' && e.tdur !== undefined && main.has(`${e.pid} ${e.tid}`));
-  return tasks.map((e) => e.tdur / 1000).sort((a, b) => b - a);
-}
-
-/** Drags the sheet about, as a person would. */
-export async function pan(page) {
-  await page.mouse.move(500, 450);
-  await page.mouse.down();
-  for (let i = 0; i < 40; i += 1) await page.mouse.move(500 + 4 * i, 450 + 30 * Math.sin(i / 5));
-  await page.mouse.up();
-}
-
-/** Zooms in and out with the wheel. */
-export async function zoom(page) {
-  for (let i = 0; i < 12; i += 1) {
-    await page.mouse.wheel(0, i < 6 ? -240 : 240);
-    await nextFrames(page, 4);
-  }
-}
-
-/** Pans, zooms and moves the pointer over the sheet. */
-export async function roam(page) {
-  await pan(page);
-  await zoom(page);
-  for (let i = 0; i < 20; i += 1) await page.mouse.move(300 + 20 * i, 400);
 }

@@ -6,7 +6,8 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { changedFrom, download, openPage, phase, planned, searchFor, SIZES, tap } from './page-support.mjs';
+import { changedFrom } from './page-pictures.mjs';
+import { download, openPage, phase, planned, searchFor, SIZES, tap } from './page-support.mjs';
 
 /** Nine plates with two holes each, an open line, and a note on a layer of its own. The middle of the sheet is inside the plate in the middle. */
 function plates() {

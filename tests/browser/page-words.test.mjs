@@ -5,7 +5,9 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { transformSync } from 'esbuild';
-import { download, drop, openPage, phase, planned, replanned, sample, shot, until } from './page-support.mjs';
+import { sample } from './page-drawings.mjs';
+import { shot } from './page-pictures.mjs';
+import { download, drop, openPage, phase, planned, replanned, until } from './page-support.mjs';
 
 const WORDS = join(import.meta.dirname, '..', '..', 'www', 'app', 'core', 'words');
 const LANGUAGES = ['de', 'es', 'zh', 'ja'];

@@ -2,7 +2,9 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { beamRuns, changedFrom, download, drop, grid, nextFrames, openPage, phase, planned, sample, steady, still } from './page-support.mjs';
+import { beamRuns, grid, sample } from './page-drawings.mjs';
+import { changedFrom, still } from './page-pictures.mjs';
+import { download, drop, nextFrames, openPage, phase, planned, steady } from './page-support.mjs';
 
 /** The job's time as the panel shows it, s. */
 const best = (page) => page.locator('.compare .solid td').first().textContent();

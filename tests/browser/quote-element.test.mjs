@@ -6,7 +6,7 @@ import { describe, it } from 'node:test';
 import { quote } from 'kerfway';
 import { bytes, circle, dxf, square } from '../package/support.mjs';
 import { base64, embedding, openHost } from './embed-support.mjs';
-import { inBothThemes, picture, serious } from './page-support.mjs';
+import { inBothThemes, picture, serious } from './page-pictures.mjs';
 
 const at = embedding();
 /** A real drawing of eight parts, which is quoted in a second. */

@@ -6,7 +6,8 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { embedding, openHost } from './embed-support.mjs';
-import { grid, openPage, phase, planned, drop } from './page-support.mjs';
+import { grid } from './page-drawings.mjs';
+import { openPage, phase, planned, drop } from './page-support.mjs';
 
 const SENTENCE = 'The file has 400 MB; up to 256 MB can be read. Delete what is not to be cut, or split the drawing.';
 const at = embedding();
