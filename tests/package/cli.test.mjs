@@ -174,6 +174,8 @@ describe('kerfway', () => {
     [['plan', 'a.dxf', '--bound=-1'], /--bound -1: give a number from 0 to 604800 s: /],
     [['plan', 'a.dxf', '--layer', 'X=mark', '--layer', 'Y=cut,min-power=9'], /--layer Y=cut,min-power=9: min-power is 9\. Give a number from 0 to 1: /],
     [['plan', 'a.dxf', '--keep-border', '--ignore-border'], /--keep-border and --ignore-border: /],
+    [['plan', 'a.dxf', '--first', '2', '--first', '1', '--last', '1'], /--first 1 and --last 1: a contour cannot be both\. Give one of them\./],
+    [['plan', 'a.dxf', '--exclude', '3', '--mark', '3'], /--exclude 3 and --mark 3: /],
     [['quote', 'a.dxf', '--thickness', '1e9'], /--thickness 1e9: give a number from 0\.001 to 1000 mm: /],
     [['quote', 'a.dxf', '--quantity', '4', '--quantity', '0'], /--quantity 0: give a whole number from 1 to 1000000: /],
     [['plan', 'a.dxf', '--seconds=-1'], /--seconds -1: give a number of seconds/],

@@ -107,6 +107,10 @@ export function loadOptions(values: Values): LoadOptions {
     const contours = (values[list] as string[] | undefined) ?? [];
     if (contours.length > 0) options[list] = contours.map((word) => wholeNumber(list, word));
   }
+  for (const [one, other] of [['first', 'last'], ['exclude', 'mark']] as const) {
+    const both = options[one]?.find((contour) => options[other]?.includes(contour));
+    if (both !== undefined) throw new WrongUse(`--${one} ${both} and --${other} ${both}: a contour cannot be both. Give one of them.`);
+  }
   for (const [name, list] of [['sequence', 'sequences'], ['together', 'together']] as const) {
     const lists = (values[name] as string[] | undefined) ?? [];
     if (lists.length > 0) options[list] = lists.map((words) => words.split(',').map((word) => wholeNumber(name, word)));

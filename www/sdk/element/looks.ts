@@ -17,7 +17,7 @@ const CSS = `
 }
 :host([hidden]), [hidden], :host([state=empty]) [part=bar] { display: none !important; }
 [part=stage] { position: relative; min-height: 0; background: var(--kerfway-sheet, transparent); }
-canvas { position: absolute; inset: 0; width: 100%; height: 100%; }
+canvas { position: absolute; inset: 0; width: 100%; height: 100%; transition: color 1ms; }
 [part=contours] { color: var(--kerfway-contour, light-dark(#1f2329, #dfe3e9)); }
 [part=path] { color: var(--kerfway-accent, light-dark(#2f4fdb, #93a8ff)); }
 [part=drop] {

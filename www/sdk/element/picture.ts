@@ -1,6 +1,7 @@
 /**
  * The picture of a drawing and its path. The contours are on one canvas, which is drawn once for each size; travel moves
- * and entry points are on another canvas above it. CSS sets the colours of both.
+ * and entry points are on another canvas above it. CSS sets the colours of both, and a change of theme is a transition to
+ * another colour, at whose end the canvas is drawn again.
  */
 
 import type { BestPath, Geometry, Loaded } from '../protocol.js';
@@ -35,6 +36,8 @@ export class Picture {
       this.drawContours();
       this.drawPath();
     });
+    contours.addEventListener('transitionend', () => this.drawContours());
+    travel.addEventListener('transitionend', () => this.drawPath());
   }
 
   /** Redraws when the size of the canvases changes. */
