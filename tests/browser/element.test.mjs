@@ -121,7 +121,7 @@ describe('<kerfway-planner>', () => {
   });
 
   it('ends its worker when it is taken out of the page', async (t) => {
-    const { page } = await open(t, 'seconds="60"');
+    const { page } = await open(t, 'seconds="60" allow-off-bed');
     await choose(page, 'keyboard.dxf', bytes(KEYBOARD));
     await state(page, 'planning');
     assert.equal(page.workers().length, 1);

@@ -60,9 +60,11 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
     const ofDrawing = (loaded?.findings ?? []).filter((f) => beam === null || f.code !== 'feature-too-small');
     const all = [...ofDrawing, ...planFindings];
     findings.show(all);
-    const problems = problemCounts(all);
+    // On a phone there is room for the gravest only; the list below has them all.
+    const gravest = problemCounts(all).slice(0, 1);
     const contours = loaded ? activeContours(loaded).length : 0;
-    setGist(loaded ? [words.drawing.contours(contours, count(contours)), ...problems].join(', ') : '', problems.length > 0);
+    const severity = (['error', 'warning'] as const).find((severity) => all.some((f) => f.severity === severity));
+    setGist(loaded ? [words.drawing.contours(contours, count(contours)), ...gravest].join(', ') : '', severity);
   };
   const show = () => {
     const { loaded } = session.state;

@@ -88,7 +88,7 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
     allow.input.checked = placing.allowOffBed;
     const turned = load.turn ? words.placement.turned(load.turn) : '';
     const moved = shiftOf(placing, loaded).some((v) => v !== 0);
-    setGist([sentence !== '' ? words.placement.offBed : moved ? words.placement.placed : words.placement.drawn, turned].filter(Boolean).join(', '), sentence !== '');
+    setGist([sentence !== '' ? words.placement.offBed : moved ? words.placement.placed : words.placement.drawn, turned].filter(Boolean).join(', '), sentence && 'warning');
   };
   session.store.on('change', refresh);
   session.store.on('loaded', refresh);

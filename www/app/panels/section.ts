@@ -7,17 +7,17 @@ import { messageOf } from '../core/strings.js';
 export interface Section {
   root: HTMLDetailsElement;
   body: HTMLElement;
-  /** Sets the summary in the heading. `grave` draws attention to it. */
-  setGist(text: string, grave?: boolean): void;
+  /** Sets the summary in the heading, coloured as findings of that severity are. */
+  setGist(text: string, severity?: 'warning' | 'error' | ''): void;
 }
 
 export function section(title: string, open: boolean): Section {
   const gist = h('span', { class: 'gist' });
   const body = h('div', { class: 'section-body' });
   const root = h('details', { class: 'section', open }, h('summary', {}, h('h2', {}, title), gist), body);
-  const setGist = (text: string, grave = false) => {
+  const setGist = (text: string, severity = '') => {
     setText(gist, text);
-    gist.classList.toggle('grave', grave);
+    gist.className = `gist ${severity}`;
   };
   return { root, body, setGist };
 }
