@@ -5,7 +5,7 @@ import { readdirSync } from 'node:fs';
 import { basename, join, relative } from 'node:path';
 import { build, wasmFiles } from './build.mjs';
 import { setup } from './setup.mjs';
-import { sinceStart } from './together.mjs';
+import { quietly, sinceStart, together } from './together.mjs';
 import { BESIDE, COMPILING, main, ROOT, tee } from './tools.mjs';
 
 const DENY = ['--', '-D', 'warnings'];
@@ -13,22 +13,24 @@ const WASM = ['--target', 'wasm32-unknown-unknown'];
 // The native tests read files, which wasm cannot: it has a test binary of its own.
 const WASM_TESTS = ['--lib', '--test', 'wasm'];
 
+const CLIPPY = ['clippy', '--locked', '--all-targets', '--features', 'png', ...DENY];
 const FORMAT = command('Rust formatting', 'cargo', ['fmt', '--check']);
-const CLIPPY = command('clippy', 'cargo', ['clippy', '--locked', '--all-targets', '--features', 'png', ...DENY]);
 const TESTS = command('Rust tests', 'cargo', ['test', '--locked', '--features', 'png', '--no-fail-fast']);
 
 /** Nothing runs the benches here, so that at least they must compile. */
-const BENCHES = ['intake', 'solve'].map((bench) =>
-  command(`bench ${bench} compiles`, 'cargo', [
-    ...['check', '--locked', '--all-targets', '--manifest-path', join(ROOT, 'benches', bench, 'Cargo.toml'), '--target-dir', COMPILING],
+const LINTS = [
+  ['clippy', CLIPPY],
+  ...['intake', 'solve'].map((bench) => [
+    `bench ${bench} compiles`,
+    ['check', '--locked', '--all-targets', '--manifest-path', join(ROOT, 'benches', bench, 'Cargo.toml'), '--target-dir', COMPILING],
   ]),
-);
+].map(lint);
 
 const LINTS_IN_WASM = [
   ['core', ['--lib', '--no-default-features', '--features', 'planner']],
   ['writers of outputs', ['--lib', '--no-default-features', '--features', 'outputs']],
   ['research build and its tests', WASM_TESTS],
-].map(([what, of]) => command(`clippy of the ${what}, in wasm`, 'cargo', ['clippy', '--locked', ...WASM, ...of, '--target-dir', BESIDE, ...DENY]));
+].map(([what, of]) => lint([`clippy of the ${what}, in wasm`, ['clippy', '--locked', ...WASM, ...of, '--target-dir', BESIDE, ...DENY]]));
 
 // wasm-pack builds the tests before it runs them: with the profile of the run, so that they are compiled once.
 // Without optimisation: that saves about 100 s of compiling, and the tests then take 18 s instead of 2.
@@ -53,20 +55,21 @@ main(async () => {
   const quick = process.argv.includes('--check');
   await setup({ tests: !quick });
   const results = [];
-  const all = async (steps, show = true) => {
+  const all = async (steps) => {
     for (const { name, work } of steps) {
-      if (show) console.log(`\n== ${name}`);
+      console.log(`\n== ${name}`);
       const begun = Date.now();
-      const result = await work(show);
-      results.push({ name, ...result, seconds: Math.round((Date.now() - begun) / 1000) });
-      if (!show) console.log(`\n== ${name}\n${result.text.trimEnd()}`);
+      results.push({ name, ...(await work()), seconds: Math.round((Date.now() - begun) / 1000) });
     }
   };
   await all([FORMAT]);
-  if (quick) await all([CLIPPY, TESTS, ...TYPES]);
+  if (quick) await all([command('clippy', 'cargo', CLIPPY), TESTS, ...TYPES]);
   else {
     // A crate is checked on one core.
-    await Promise.all([[CLIPPY, ...BENCHES], LINTS_IN_WASM].map((steps) => all(steps, false)));
+    await together([
+      { name: 'lints and benches', usually: '1 to 2 minutes', work: () => all(LINTS) },
+      { name: 'lints in wasm', usually: '1 to 2 minutes', work: () => all(LINTS_IN_WASM) },
+    ]);
     await all([TESTS, TESTS_IN_WASM, step('build', build)]);
     if (results.at(-1).failed === 0) await all(OF_THE_BUILD);
     else results.push({ name: 'package and browser tests, not run without a build', passed: 0, failed: 1, skipped: 0, seconds: 0 });
@@ -80,21 +83,18 @@ main(async () => {
   if (sum('failed') > 0) process.exitCode = 1;
 });
 
-/**
- * A step that runs a command and counts the tests it reports; a command without tests, such as a linter, counts as one. `show`: what it
- * prints is shown at once; it is in the result as well.
- */
+/** A step that runs a command and counts the tests it reports; a command without tests, such as a linter, counts as one. */
 function command(name, program, args, env = {}) {
-  const work = async (show = true) => {
-    const { code, text } = await tee(program, args, env, show);
+  const work = async () => {
+    const { code, text } = await tee(program, args, env);
     const plain = text.replace(/\x1b\[[0-9;]*m/g, '');
     const rust = [...plain.matchAll(/^test result: \w+\. (\d+) passed; (\d+) failed; (\d+) ignored/gm)].map((m) => m.slice(1, 4).map(Number));
     const node = ['pass', 'fail', 'skipped'].map((k) => Number(new RegExp(`^\\S+ ${k} (\\d+)$`, 'm').exec(plain)?.[1] ?? 0));
     const [passed, failed, skipped] = [...rust, node].reduce((sum, counts) => sum.map((n, k) => n + counts[k]), [0, 0, 0]);
-    if (code === 0) return { passed: passed || 1, failed, skipped, text };
+    if (code === 0) return { passed: passed || 1, failed, skipped };
     // The file of each failure, as the runner of Node prints it.
     const at = [...plain.matchAll(/^test at (\S+?):\d+:\d+$/gm)].map((m) => m[1]);
-    return { passed, failed: failed || 1, skipped, names: failures(plain), at, text };
+    return { passed, failed: failed || 1, skipped, names: failures(plain), at };
   };
   return { name, work };
 }
@@ -121,6 +121,11 @@ function node(name, atOnce, files) {
     return { ...first, passed: first.passed + first.failed - second.failed, failed: second.failed, names: second.names, late };
   };
   return { name, work };
+}
+
+/** A step of cargo that runs beside others: what it prints is shown if it fails. */
+function lint([name, args]) {
+  return step(name, () => quietly('cargo', args));
 }
 
 /** A step of our own scripts, which counts as one test. */

@@ -47,8 +47,8 @@ export function run(command, args, options = {}) {
   if (r.status !== 0) throw new Stop(`${command} ${args.join(' ')} ended with ${r.status ?? r.signal}`);
 }
 
-/** Runs a command, shows its output if asked, and returns it with the exit code. */
-export function tee(command, args, env = {}, show = true) {
+/** Runs a command, shows its output and returns it with the exit code. */
+export function tee(command, args, env = {}) {
   return new Promise((resolve, reject) => {
     const child = spawn(command, args, {
       env: { ...ENV, ...env },
@@ -57,12 +57,8 @@ export function tee(command, args, env = {}, show = true) {
       shell,
     });
     let text = '';
-    for (const [from, to] of [[child.stdout, process.stdout], [child.stderr, process.stderr]]) {
-      from.on('data', (d) => {
-        text += d;
-        if (show) to.write(d);
-      });
-    }
+    child.stdout.on('data', (d) => ((text += d), process.stdout.write(d)));
+    child.stderr.on('data', (d) => ((text += d), process.stderr.write(d)));
     child.on('error', reject);
     child.on('close', (code, signal) => resolve({ code: code ?? 1, signal, text }));
   });
