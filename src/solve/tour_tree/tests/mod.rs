@@ -175,13 +175,16 @@ fn on_very_large_sheets_small_items_have_one_list() {
     assert!(search.best().cost < 0.9 * first, "{} of {first}", search.best().cost);
 }
 
+/// Sixteen places 30 mm apart, and one far beyond their corner.
+fn group_and_one() -> Vec<DVec2> {
+    let group = (0..16).map(|k| DVec2::new(f64::from(k % 4), f64::from(k / 4)) * 30.0);
+    group.chain([DVec2::splat(390.0)]).collect()
+}
+
 /// Without it, the search never changed how groups of holes follow each other: each hole knew only its own group.
 #[test]
 fn holes_of_a_group_know_the_next_hole_in_each_quadrant() {
-    let mut centers: Vec<DVec2> =
-        (0..16).map(|k| DVec2::new(f64::from(k % 4), f64::from(k / 4)) * 30.0).collect();
-    centers.push(DVec2::splat(390.0));
-    let problem = circles(&centers);
+    let problem = circles(&group_and_one());
     let (tour, near) = tour(&problem);
     let space = &tour.space;
     let (corner, alone) = (15, 16);
@@ -199,14 +202,12 @@ fn holes_of_a_group_know_the_next_hole_in_each_quadrant() {
 /// A table has no quadrants; its lists reach beyond a group by what is nearer to a place than to all in the list.
 #[test]
 fn places_of_a_group_know_the_next_group_by_the_table() {
-    let mut places: Vec<DVec2> =
-        (0..16).map(|k| DVec2::new(f64::from(k % 4), f64::from(k / 4)) * 30.0).collect();
-    places.push(DVec2::splat(390.0));
+    let places = group_and_one();
     let mut problem = circles(&places);
     for (item, &place) in places.iter().enumerate() {
         let id = NodeId::try_from(item).unwrap();
-        let node = Node { entry: place, exit: place, along: 0.0, twin: id, ..problem.nodes[item] };
-        problem.nodes[item] = Node { item: id, ..node };
+        problem.nodes[item] =
+            Node { item: id, entry: place, exit: place, along: 0.0, twin: id, ..problem.nodes[item] };
         problem.items[item] = Item { nodes: id..id + 1, ..Item::default() };
     }
     problem.nodes.truncate(places.len());
