@@ -61,10 +61,9 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
     const all = [...ofDrawing, ...planFindings];
     findings.show(all);
     // On a phone there is room for the gravest only; the list below has them all.
-    const gravest = problemCounts(all).slice(0, 1);
+    const gravest = problemCounts(all)[0];
     const contours = loaded ? activeContours(loaded).length : 0;
-    const severity = (['error', 'warning'] as const).find((severity) => all.some((f) => f.severity === severity));
-    setGist(loaded ? [words.drawing.contours(contours, count(contours)), ...gravest].join(', ') : '', severity);
+    setGist(loaded ? [words.drawing.contours(contours, count(contours)), gravest?.text].filter(Boolean).join(', ') : '', gravest?.severity);
   };
   const show = () => {
     const { loaded } = session.state;

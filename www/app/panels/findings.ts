@@ -37,9 +37,9 @@ export class FindingList {
   show(findings: readonly Finding[]): void {
     this.buttons.clear();
     const problems = problemCounts(findings);
-    setText(this.head, headline(problems, kindsOf(findings, 'info')));
+    setText(this.head, headline(problems.map((p) => p.text), kindsOf(findings, 'info')));
     this.root.classList.toggle('grave', problems.length > 0);
-    this.root.classList.toggle('errors', findings.some((f) => f.severity === 'error'));
+    this.root.classList.toggle('errors', problems[0]?.severity === 'error');
     this.root.hidden = findings.length === 0;
     const kinds = new Map<string, Finding[]>();
     for (const f of findings) {
@@ -90,10 +90,13 @@ function kindsOf(findings: readonly Finding[], severity: Severity): number {
   return new Set(findings.filter((f) => f.severity === severity).map((f) => f.code)).size;
 }
 
-/** The numbers of errors and warnings in words; empty when there are neither. */
-export function problemCounts(findings: readonly Finding[]): string[] {
+/** The errors and the warnings, each as a number in words; empty when there are neither. */
+export function problemCounts(findings: readonly Finding[]): { severity: 'error' | 'warning'; text: string }[] {
   const [errors, warnings] = [kindsOf(findings, 'error'), kindsOf(findings, 'warning')];
-  return [errors > 0 ? words.findings.errors(errors, count(errors)) : '', warnings > 0 ? words.findings.warnings(warnings, count(warnings)) : ''].filter((text) => text !== '');
+  return [
+    ...(errors > 0 ? [{ severity: 'error' as const, text: words.findings.errors(errors, count(errors)) }] : []),
+    ...(warnings > 0 ? [{ severity: 'warning' as const, text: words.findings.warnings(warnings, count(warnings)) }] : []),
+  ];
 }
 
 function headline(problems: readonly string[], notes: number): string {
