@@ -7,10 +7,10 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
-import { chromium } from 'playwright-core';
+import { launchBrowser } from '../scripts/browser.mjs';
 import { build } from '../scripts/build.mjs';
 import { serve } from '../scripts/serve.mjs';
-import { findBrowser, setup } from '../scripts/setup.mjs';
+import { setup } from '../scripts/setup.mjs';
 import { DIST } from '../scripts/tools.mjs';
 import { grid } from '../tests/browser/page-drawings.mjs';
 import { pan, tasksOf, watchFrames, zoom } from '../tests/browser/page-frames.mjs';
@@ -32,7 +32,7 @@ export async function bench() {
   await setup({ tests: true });
   await build();
   const server = await serve(join(DIST, 'app'));
-  const browser = await chromium.launch({ executablePath: findBrowser(), args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--no-first-run'] });
+  const browser = await launchBrowser();
   try {
     const machines = [['this machine', 1], [`${SLOWER} times slower`, SLOWER]];
     const lines = [];

@@ -95,7 +95,8 @@ const BROWSERS = [
 
 /** The Chromium or Chrome on this machine; CHROME_PATH names another. */
 export function findBrowser() {
-  return process.env.CHROME_PATH ?? firstOf(BROWSERS);
+  const { CHROME_PATH } = process.env;
+  return firstOf(CHROME_PATH === undefined ? BROWSERS : [CHROME_PATH]);
 }
 
 /** Chromium for the browser tests, and a Redis for the test of the queue example, which is skipped where there is none. */

@@ -3,9 +3,8 @@
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { after, before } from 'node:test';
-import { chromium } from 'playwright-core';
+import { launchBrowser } from '../../scripts/browser.mjs';
 import { serve } from '../../scripts/serve.mjs';
-import { findBrowser } from '../../scripts/setup.mjs';
 import { DIST } from '../../scripts/tools.mjs';
 
 /** Milliseconds anything may take on a busy machine. */
@@ -16,10 +15,8 @@ export function embedding() {
   const at = { server: null, browser: null };
   before(async () => {
     at.server = await serve(join(DIST, 'sdk'));
-    const args = ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'];
     // Pages that Playwright answers have no address, and count as foreign to the servers on this machine.
-    args.push('--disable-features=LocalNetworkAccessChecks');
-    at.browser = await chromium.launch({ executablePath: findBrowser(), args });
+    at.browser = await launchBrowser('--disable-features=LocalNetworkAccessChecks');
   });
   after(async () => {
     await at.browser.close();

@@ -1,11 +1,10 @@
 // Helpers of the page's tests: opens the built page in Chromium, does what people do, and waits for what follows.
 
 import assert from 'node:assert/strict';
-import { existsSync, readFileSync } from 'node:fs';
-import { delimiter, isAbsolute, join } from 'node:path';
-import { chromium } from 'playwright-core';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { launchBrowser } from '../../scripts/browser.mjs';
 import { serve } from '../../scripts/serve.mjs';
-import { findBrowser } from '../../scripts/setup.mjs';
 import { DIST } from '../../scripts/tools.mjs';
 
 /** Milliseconds that anything may take on a busy machine before a test gives up. */
@@ -21,10 +20,7 @@ const STAYS = 100;
 
 function launched() {
   open += 1;
-  return (browser ??= chromium.launch({
-    executablePath: browserPath(),
-    args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'],
-  }));
+  return (browser ??= launchBrowser());
 }
 
 function leave() {
@@ -83,14 +79,6 @@ const countPlansAndClicks = () => {
     }).observe(document.body, { attributeFilter: ['data-phase'] });
   });
 };
-
-/** Where the browser is: playwright wants a path, not a name. */
-function browserPath() {
-  const found = findBrowser();
-  assert.ok(found, 'the browser tests need Chromium: npm run setup');
-  if (isAbsolute(found)) return found;
-  return process.env.PATH.split(delimiter).map((folder) => join(folder, found)).find(existsSync);
-}
 
 /** Frames of the page within which the click of a tap follows. */
 const CLICK = 30;

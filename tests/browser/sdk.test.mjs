@@ -4,9 +4,8 @@ import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
-import { chromium } from 'playwright-core';
+import { launchBrowser } from '../../scripts/browser.mjs';
 import { serve } from '../../scripts/serve.mjs';
-import { findBrowser } from '../../scripts/setup.mjs';
 import { DIST } from '../../scripts/tools.mjs';
 import { cases, MATERIAL } from '../golden/cases.mjs';
 
@@ -18,10 +17,7 @@ const requests = [];
 
 before(async () => {
   server = await serve(join(DIST, 'sdk'));
-  const args = ['--disable-gpu', '--disable-background-networking', '--disable-component-update', '--no-first-run'];
-  // As root, which CI often is, Chromium cannot make its sandbox.
-  if (process.getuid?.() === 0) args.push('--no-sandbox');
-  browser = await chromium.launch({ executablePath: findBrowser(), args });
+  browser = await launchBrowser();
   page = await browser.newPage();
   await page.route('**/embedder.html', (route) => route.fulfill({ contentType: 'text/html', body: PAGE }));
   page.on('request', (request) => requests.push(new URL(request.url()).pathname));

@@ -5,17 +5,16 @@ import assert from 'node:assert/strict';
 import { cpSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
-import { chromium } from 'playwright-core';
 import { quote } from 'kerfway';
+import { launchBrowser } from '../../../scripts/browser.mjs';
 import { serve } from '../../../scripts/serve.mjs';
-import { findBrowser } from '../../../scripts/setup.mjs';
 import { bytes, fixture, KEYBOARD, ROOT } from '../support.mjs';
 import { OPTIONS, project } from './projects.mjs';
 
 const PATIENCE = 60_000;
 let browser, hash;
 before(async () => {
-  browser = await chromium.launch({ executablePath: findBrowser(), args: ['--no-sandbox', '--disable-gpu'] });
+  browser = await launchBrowser();
   ({ hash } = await quote(bytes(KEYBOARD), OPTIONS));
 });
 after(() => browser.close());

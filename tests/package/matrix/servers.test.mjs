@@ -9,9 +9,8 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { before, describe, it } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
-import { chromium } from 'playwright-core';
 import { quote } from 'kerfway';
-import { findBrowser } from '../../../scripts/setup.mjs';
+import { launchBrowser } from '../../../scripts/browser.mjs';
 import { bytes, KEYBOARD } from '../support.mjs';
 import { OPTIONS, project } from './projects.mjs';
 
@@ -91,7 +90,7 @@ describe('servers have the hash of the package', () => {
       files: { 'app/api/quote/route.ts': ROUTE, 'app/page.tsx': client, 'app/layout.tsx': 'export default function Layout({ children }: { children: React.ReactNode }) { return <html><body>{children}</body></html>; }' },
     });
     await p.run(p.bin('next'), 'build');
-    const browser = await chromium.launch({ executablePath: findBrowser(), args: ['--no-sandbox', '--disable-gpu'] });
+    const browser = await launchBrowser();
     t.after(() => browser.close());
     for (const how of ['start', 'dev']) {
       const port = await freePort();
