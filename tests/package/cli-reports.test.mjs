@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
-import { area, duration, elapsed, grams, meters, millimetres, size } from '../../dist/sdk/cli/words.js';
+import { area, duration, elapsed, grams, meters, millimetres, size } from '../../dist/sdk/words.js';
 import { dxf, fixture, folder, kerfway, square } from './support.mjs';
 
 /** A drawing of one square, in a folder of its own. */

@@ -1,6 +1,6 @@
 /** The words of a report, and how it writes numbers: English, and what another language has to say. */
 
-import { duration } from './cli/words.js';
+import { duration } from './words.js';
 import type { Finding, Operation, Severity, Unit, UnitsTaken } from './protocol.js';
 
 /** How a report is written. */

@@ -7,7 +7,7 @@ import { Destinations, outputsOf } from './destinations.js';
 import { bytesOf, usable, WrongUse } from './io.js';
 import { machineOf } from './machine.js';
 import { say } from './report.js';
-import { duration, percent } from './words.js';
+import { duration, percent } from '../words.js';
 
 export async function calibrate(args: string[]): Promise<void> {
   const given = parsed('calibrate', args, 'a plan and the seconds it took: plan.json=120');

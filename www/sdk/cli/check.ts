@@ -9,7 +9,7 @@ import { outputsOf } from './destinations.js';
 import { bytesOf, Unusable, usable } from './io.js';
 import { machineFiles, machineOf } from './machine.js';
 import type { Column } from './report.js';
-import { duration, meters, plural } from './words.js';
+import { duration, meters, plural } from '../words.js';
 
 export async function check(args: string[]): Promise<void> {
   const given = parsed('check', args, 'a G-code file');

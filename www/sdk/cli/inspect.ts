@@ -10,7 +10,7 @@ import { outputsOf } from './destinations.js';
 import { usable } from './io.js';
 import { opened } from './opened.js';
 import type { Column } from './report.js';
-import { meters, plural, size, unitOf } from './words.js';
+import { meters, plural, size, unitOf } from '../words.js';
 
 export async function inspect(args: string[]): Promise<void> {
   const given = parsed('inspect', args);

@@ -13,7 +13,7 @@ import { complain } from './safe-text.js';
 import { planFiles } from './planning.js';
 import type { Column } from './report.js';
 import { savingLines, savingsOf } from './savings.js';
-import { duration, elapsed, meters, percentAtMost, plural, skeletonLines, unitOf } from './words.js';
+import { duration, elapsed, meters, percentAtMost, plural, skeletonLines, unitOf } from '../words.js';
 
 const OUTPUTS: readonly (OutputKind | 'report' | 'certificate')[] = ['json', 'gcode', 'svg', 'dxf', 'png', 'lbrn2', 'rd', 'remainder', 'report', 'certificate'];
 

@@ -5,7 +5,7 @@ import { DEFAULT_SECONDS } from '../options.js';
 import type { PlanOptions, Progress } from '../protocol.js';
 import type { Place } from './batch.js';
 import { visible } from './safe-text.js';
-import { duration, percentAtMost } from './words.js';
+import { duration, percentAtMost } from '../words.js';
 
 const BAR = 16;
 

@@ -14,7 +14,7 @@ import { planFiles } from './planning.js';
 import type { Column } from './report.js';
 import { savingLines, savingsOf } from './savings.js';
 import { STANDARD_OUTPUT } from './target.js';
-import { area, duration, fixed, grams, meters, millimetres, plural, size, skeletonLines, unitOf } from './words.js';
+import { area, duration, fixed, grams, meters, millimetres, plural, size, skeletonLines, unitOf } from '../words.js';
 
 export async function quote(args: string[]): Promise<void> {
   const given = parsed('quote', args);

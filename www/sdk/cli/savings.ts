@@ -3,7 +3,7 @@
 import type { PlanResult } from '../node.js';
 import type { PlanOptions } from '../protocol.js';
 import { leverSavings, type LeverSaving, type Replanner } from '../savings.js';
-import { duration } from './words.js';
+import { duration } from '../words.js';
 
 /** What each lever saves in a plan. The plans without one are searched for as long as the plan was, from the beginning. */
 export async function savingsOf(planner: Replanner, { warm, ...options }: PlanOptions, { progress }: PlanResult): Promise<LeverSaving[]> {

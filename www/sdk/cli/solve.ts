@@ -7,7 +7,7 @@ import { DEFAULT_SECONDS } from '../options.js';
 import { Destinations, outputsOf } from './destinations.js';
 import { bytesOf, Unusable } from './io.js';
 import { say } from './report.js';
-import { elapsed, percentAtMost, plural } from './words.js';
+import { elapsed, percentAtMost, plural } from '../words.js';
 
 /** Moves between two checks of the clock, which take a few milliseconds. */
 const SLICE = 20_000;

@@ -1,6 +1,6 @@
 /** The rows of a quote that `<kerfway-quote>` shows. */
 
-import { area, duration, grams, meters, millimetres, plural, size } from '../cli/words.js';
+import { area, duration, grams, meters, millimetres, plural, size } from '../words.js';
 import type { Quote } from '../quote.js';
 
 export function facts(q: Quote): [string, string][] {

@@ -1,6 +1,6 @@
 /** The texts of the elements. A host in another language sets the property `labels`; what it leaves out stays English. */
 
-import { duration, plural } from '../cli/words.js';
+import { duration, plural } from '../words.js';
 import type { ErrorReport } from '../generated/types.js';
 import type { Summary } from '../protocol.js';
 import type { Quote } from '../quote.js';

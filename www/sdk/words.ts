@@ -1,6 +1,6 @@
 /** Formats numbers for people. */
 
-import type { Summary } from '../protocol.js';
+import type { Summary } from './protocol.js';
 
 /** A number with some decimals; "under 0.01" and the like for what they do not show, so that only 0 is 0. */
 export function fixed(n: number, decimals: number): string {
