@@ -59,7 +59,7 @@ pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadError> {
     let mut file = file::read(junk.unwrap_or(bytes));
     if !file.recognised {
         return Err(ReadError::NotADrawing(
-            "This is neither a DXF nor an SVG file, or one damaged beyond reading. Save the drawing as DXF or SVG and drop it again.".to_owned(),
+            "This is neither a DXF nor an SVG file, or one damaged beyond reading. Save the drawing as DXF or SVG.".to_owned(),
         ));
     }
     let size = measure::size(&file, &options.limits)?;
@@ -140,7 +140,7 @@ fn nothing_to_cut(entities: &[EntityKindCount], findings: &[Finding]) -> String 
             "The file ends before anything to cut: it was probably not copied whole. Save or download it again.".to_owned()
         }
         (true, _) | (_, true) => {
-            "The drawing holds nothing to cut. Check that the outlines were exported, and drop it again.".to_owned()
+            "The drawing holds nothing to cut. Check that the outlines were exported.".to_owned()
         }
         _ => format!(
             "The drawing holds nothing that can be cut: {}. Show or explode it in the drawing program and save again.",

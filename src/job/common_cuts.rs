@@ -1,6 +1,6 @@
 //! Findings on common cuts: what is saved by cutting a pierce group as one.
 
-use crate::finding::{Code, Finding, Severity};
+use crate::finding::{Code, Finding, Severity, short};
 use crate::problem::{Item, Problem};
 use crate::sheet::{PierceGroup, Sheet};
 
@@ -17,9 +17,8 @@ fn finding(group: &PierceGroup) -> Finding {
     let shared: f64 = group.between_parts().map(|e| group.path(e).length()).sum();
     let contours = group.contours.len();
     let message = format!(
-        "{contours} contours share cuts and are cut as one: {:.3} m are cut once instead of twice, {} fewer piercings.",
-        shared / 1000.0,
-        contours.saturating_sub(1),
+        "{contours} contours share cuts and are cut as one, with 1 piercing instead of {contours}: {} m are cut once instead of twice.",
+        short(shared / 1000.0),
     );
     let finding = Finding::new(Code::CommonCut, Severity::Info, message);
     let count = u32::try_from(contours).unwrap_or(u32::MAX);

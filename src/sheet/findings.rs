@@ -2,7 +2,7 @@
 
 use super::model::{Contour, Operation};
 use crate::drawing::Drawing;
-use crate::finding::{Code, Finding, Findings, Severity};
+use crate::finding::{Code, Finding, Findings, Severity, short};
 use crate::geometry::DVec2;
 use crate::machine::FarOut;
 use rustc_hash::FxHashSet;
@@ -38,9 +38,9 @@ pub(super) fn open_contours(
             continue;
         }
         let message = format!(
-            "This contour of {:.3} mm does not close: it is cut as an open line and frees no part. Close it in the \
+            "This contour of {} mm does not close: it is cut as an open line and frees no part. Close it in the \
              drawing, or raise the joining tolerance.",
-            c.length
+            short(c.length)
         );
         let (code, at) = (Code::OpenContour, c.path.start());
         findings.push(shape(drawing, c.first_shape, code, Severity::Warning, message, at));

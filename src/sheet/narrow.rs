@@ -12,7 +12,7 @@
 use super::findings;
 use super::model::{Contour, Operation};
 use crate::drawing::Drawing;
-use crate::finding::{Code, Finding, Findings, Severity};
+use crate::finding::{Code, Finding, Findings, Severity, short};
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path};
 use std::f64::consts::PI;
 
@@ -86,7 +86,8 @@ impl Limit {
             Self::Kerf(kerf) => format!("less than the kerf of {kerf} mm: it is too small for this beam"),
         };
         format!(
-            "This contour is {width:.3} mm wide at its widest place, {limit}. Widen it, or remove it from the cut."
+            "This contour is {} mm wide at its widest place, {limit}. Widen it, or remove it from the cut.",
+            short(width)
         )
     }
 }

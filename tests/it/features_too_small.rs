@@ -51,7 +51,7 @@ fn slots_narrower_than_a_tenth_of_a_millimetre_are_reported_when_a_drawing_is_re
     let at = found[0].at.unwrap();
     assert!((10.0..15.0).contains(&at.x) && (at.y - 10.01).abs() < 1e-6, "{at}");
     assert!(
-        found[0].message.starts_with("This contour is 0.020 mm wide at its widest place, less than 0.1 mm:")
+        found[0].message.starts_with("This contour is 0.02 mm wide at its widest place, less than 0.1 mm:")
     );
 }
 
@@ -65,5 +65,5 @@ fn features_narrower_than_the_kerf_of_the_machine_are_reported_with_the_plan() {
     assert_eq!(places(0.02), [0.0; 0]);
     // The slots of 0.02, 0.1 and 0.2 mm, and the hole of 0.1 mm, but not the slot of 0.5 mm.
     assert_eq!(places(0.3), [0.0, 1.0, 2.0, 0.0]);
-    assert!(too_small(0.3)[3].1.contains("0.100 mm wide at its widest place, less than the kerf of 0.3 mm"));
+    assert!(too_small(0.3)[3].1.contains("0.1 mm wide at its widest place, less than the kerf of 0.3 mm"));
 }

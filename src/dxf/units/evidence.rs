@@ -7,6 +7,7 @@
 use super::facts::Facts;
 use super::names::{self, Hint};
 use crate::dxf::header::Header;
+use crate::finding::short;
 use crate::geometry::math;
 
 /// Smallest and largest extent of a drawing that raises no doubt, mm. Only 2 % of real drawings are smaller, most of
@@ -99,13 +100,7 @@ impl Weighed {
                 weight += 0.5;
             }
         }
-        let sizes = |list: &[f64]| {
-            list.iter()
-                .take(2)
-                .map(|d| format!("{:.3}", d).trim_end_matches('0').trim_end_matches('.').to_owned())
-                .collect::<Vec<_>>()
-                .join(", ")
-        };
+        let sizes = |list: &[f64]| list.iter().take(2).map(|&d| short(d)).collect::<Vec<_>>().join(", ");
         let reason = match weight > 0.0 {
             true if !imperial.is_empty() => {
                 format!("holes of {} are drill sizes in inches", sizes(&imperial))

@@ -11,7 +11,7 @@ mod names;
 
 use super::file::File;
 use crate::drawing::{Unit, Units, UnitsSource};
-use crate::finding::{Code, Finding, Severity};
+use crate::finding::{Code, Finding, Severity, short};
 use evidence::{PLAUSIBLE_SIZE, Weighed};
 use facts::Facts;
 
@@ -140,6 +140,6 @@ fn extent(unit: Unit, size: f64) -> String {
     } else if mm >= 100.0 {
         format!("{mm:.0} mm")
     } else {
-        format!("{mm:.3} mm")
+        format!("{} mm", short(mm))
     }
 }

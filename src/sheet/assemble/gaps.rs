@@ -2,7 +2,7 @@
 
 use super::ends::Ends;
 use super::junctions::Branch;
-use crate::finding::{Code, Findings, Severity};
+use crate::finding::{Code, Findings, Severity, short};
 use crate::geometry::DVec2;
 use crate::sheet::cluster::cell;
 use crate::sheet::element::ROUNDING;
@@ -126,8 +126,9 @@ fn near_misses(source: Source, ends: &Ends, free: &[u32], tolerance: f64, findin
             continue;
         }
         let message = format!(
-            "A gap of {gap:.3} mm is left open: it is wider than the joining tolerance of {tolerance} mm. \
-             Raise the tolerance to close it."
+            "A gap of {} mm is left open: it is wider than the joining tolerance of {tolerance} mm. \
+             Raise the tolerance to close it.",
+            short(gap)
         );
         let at = (ends.point[e as usize] + ends.point[o as usize]) * 0.5;
         let shape = ends.shape[e as usize];

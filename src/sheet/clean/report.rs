@@ -1,7 +1,7 @@
 //! Findings about what cleaning removed, one per shape.
 
 use super::remainder::Remainder;
-use crate::finding::{Code, Finding, Findings, Severity};
+use crate::finding::{Code, Finding, Findings, Severity, short};
 use crate::geometry::Path;
 use crate::sheet::element::Element;
 use crate::sheet::findings::{count, plural};
@@ -55,7 +55,7 @@ fn lost(source: Source, elements: &[Element], kept: &[Remainder]) -> Option<Find
     } else if gone == elements.len() {
         (Code::OverlapRemoved, format!("This {kind} lies wholly along other lines: it is cut once."))
     } else {
-        let text = format!("{length:.3} mm of this {kind} lie along other lines: they are cut once.");
+        let text = format!("{} mm of this {kind} lie along other lines: they are cut once.", short(length));
         (Code::OverlapRemoved, text)
     };
     let at = element.segment.at(first_loss(loss));

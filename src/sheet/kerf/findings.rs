@@ -3,7 +3,7 @@
 use super::super::findings::{self, count, plural};
 use super::super::model::Contour;
 use crate::drawing::Drawing;
-use crate::finding::{Code, Finding, Severity};
+use crate::finding::{Code, Finding, Severity, short};
 use crate::geometry::DVec2;
 
 /// Reason a contour keeps its drawn line.
@@ -44,8 +44,9 @@ pub(super) fn keeps_drawn_line(drawing: &Drawing, contour: &Contour, reason: Rea
         ),
         Reason::Near(gap, at) => (
             format!(
-                "Only {gap:.3} mm lie between this contour and another one, less than the kerf: both keep their drawn lines, and \
-                 parts come out smaller by half a kerf. Lay them out {width} mm apart or more."
+                "Only {} mm lie between this contour and another one, less than the kerf: both keep their drawn lines, and \
+                 parts come out smaller by half a kerf. Lay them out {width} mm apart or more.",
+                short(gap)
             ),
             Some(at),
         ),
@@ -80,7 +81,8 @@ pub(super) fn border(drawing: &Drawing, border: &Contour) -> Finding {
 
 /// Reports lines that now coincide.
 pub(super) fn cut_once(length: f64, at: DVec2) -> Finding {
-    let message = format!("Parts one kerf apart: {length:.3} mm between them are cut once instead of twice.");
+    let message =
+        format!("Parts one kerf apart: {} mm between them are cut once instead of twice.", short(length));
     Finding::new(Code::OverlapRemoved, Severity::Info, message).at(at)
 }
 

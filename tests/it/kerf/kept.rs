@@ -54,7 +54,7 @@ fn outlines_that_are_too_narrow_keep_their_line_and_are_reported() {
 
 #[test]
 fn parts_with_less_than_a_kerf_between_them_keep_their_lines() {
-    for (gap, words) in [(0.0, "in common"), (0.2, "Only 0.200 mm")] {
+    for (gap, words) in [(0.0, "in common"), (0.2, "Only 0.2 mm")] {
         let parts = [
             rectangle([0.0, 0.0, 10.0, 10.0]),
             rectangle([10.0 + gap, 0.0, 10.0, 10.0]),

@@ -103,7 +103,7 @@ fn a_near_miss_is_left_open_and_reported() {
     let told = findings(&s, Code::GapLeft);
     assert_eq!(told.len(), 1);
     assert_eq!(told[0].at, Some(p(20.0, 0.1)));
-    assert!(told[0].message.contains("0.200 mm"));
+    assert!(told[0].message.contains(" 0.2 mm"));
     assert_eq!(findings(&s, Code::OpenContour).len(), 1);
     let wider = SheetOptions { join_tolerance: 0.25, ..SheetOptions::default() };
     let s = sheet_with(

@@ -68,7 +68,7 @@ fn collinear_overlaps_leave_the_union() {
     close(total_length(&s), 30.0);
     let told = findings(&s, Code::OverlapRemoved);
     assert_eq!(told.len(), 2);
-    assert!(told[0].message.starts_with("4.000 mm of this LINE"), "{}", told[0].message);
+    assert!(told[0].message.starts_with("4 mm of this LINE"), "{}", told[0].message);
     assert!(told[1].message.starts_with("This LINE lies wholly along"), "{}", told[1].message);
 }
 

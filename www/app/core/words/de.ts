@@ -99,7 +99,7 @@ export const de: Words = {
     offBed: 'Der Auftrag reicht von x {0} bis {1} und y {2} bis {3} mm, über das Bett hinaus (x {4} bis {5}, y {6} bis {7} mm). Legen Sie ihn auf das Bett, zum Beispiel mit der linken unteren Ecke in die des Betts.',
     endsEarly: 'Die Datei endet ohne ihre Endmarke: Vielleicht wurde sie nicht ganz kopiert. Prüfen Sie, ob etwas fehlt.',
     endsInside: 'Die Datei endet mittendrin: Wahrscheinlich wurde sie nicht ganz kopiert. Was danach kommt, fehlt.',
-    asOne: '{0} Konturen teilen sich Schnitte und werden als eine geschnitten: {1} m einmal statt zweimal, {2} Einstiche weniger.',
+    asOne: '{0} Konturen teilen sich Schnitte und werden als eine geschnitten, mit 1 Einstich statt {1}: {2} m einmal statt zweimal.',
     oneKerf: 'Teile im Abstand einer Schnittfuge: {0} mm zwischen ihnen werden einmal statt zweimal geschnitten.',
     narrowerThanKerf: 'Diese Kontur ist hier schmaler als die Schnittfuge von {0} mm: Sie behält ihre gezeichnete Linie, die um eine halbe Fuge abweicht. Verbreitern Sie sie oder schneiden Sie mit feinerem Strahl.',
     noLeadIn: 'Kontur {0} hat keine Anfahrt: Es ist kein Platz, also wird auf ihrem Umriss eingestochen. Rücken Sie die Teile auseinander oder erlauben Sie kürzere Anfahrten oder weniger Abstand.',

@@ -99,7 +99,7 @@ export const es: Words = {
     offBed: 'El trabajo abarca de x {0} a {1} y de y {2} a {3} mm, más allá de la mesa (x {4} a {5}, y {6} a {7} mm). Colóquelo en la mesa, por ejemplo con su esquina inferior izquierda en la de la mesa.',
     endsEarly: 'El archivo termina sin su marca de fin: quizá no se copió entero. Compruebe que no falte nada.',
     endsInside: 'El archivo termina a la mitad: probablemente no se copió entero. Falta lo que sigue.',
-    asOne: '{0} contornos comparten cortes y se cortan como uno: {1} m se cortan una vez en lugar de dos, {2} perforaciones menos.',
+    asOne: '{0} contornos comparten cortes y se cortan como uno, con 1 perforación en lugar de {1}: {2} m se cortan una vez en lugar de dos.',
     oneKerf: 'Piezas a un ancho de corte: {0} mm entre ellas se cortan una vez en lugar de dos.',
     narrowerThanKerf: 'Este contorno es aquí más estrecho que el ancho de corte de {0} mm: conserva su línea dibujada, que se desvía medio ancho. Ensánchelo o córtelo con un haz más fino.',
     noLeadIn: 'El contorno {0} no tiene entrada: no hay sitio, así que se perfora sobre su contorno. Separe las piezas o permita entradas más cortas o menos distancia.',

@@ -43,7 +43,7 @@ export const SENTENCES = {
   offBed: 'The job reaches from x {} to {} and y {} to {} mm, beyond the bed (x {} to {}, y {} to {} mm). Place it on the bed, for example with its lower left corner at that of the bed.',
   endsEarly: 'The file ends without its end mark: it may not have been copied whole. Check that nothing is missing.',
   endsInside: 'The file ends in the middle: it was probably not copied whole. What comes after is missing.',
-  asOne: '{} contours share cuts and are cut as one: {} m are cut once instead of twice, {} fewer piercings.',
+  asOne: '{} contours share cuts and are cut as one, with 1 piercing instead of {}: {} m are cut once instead of twice.',
   oneKerf: 'Parts one kerf apart: {} mm between them are cut once instead of twice.',
   narrowerThanKerf: 'This contour is narrower here than the kerf of {} mm: it keeps its drawn line, which is off by half a kerf. Widen it, or cut it with a finer beam.',
   noLeadIn: 'Contour {} has no lead-in: there is no room for one, so it is pierced on its outline. Move the parts apart, or allow shorter leads or less clearance.',
