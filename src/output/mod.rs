@@ -11,6 +11,7 @@ mod dxf;
 mod gcode;
 mod json;
 mod kind;
+mod labels;
 mod lbrn2;
 mod number;
 #[cfg(feature = "png")]

@@ -1,7 +1,7 @@
 //! Draws a plan as SVG: in millimetres, with y flipped, without scripts, readable on light and dark ground.
 //!
 //! Contours are in cutting order as exact arcs, each with a title that names it. Air moves are dashed. Entries are dots
-//! with their number in cutting order; a contour that is cut in parts has one for each part. Widths and text size
+//! with their number in cutting order, where there is room for it; a contour that is cut in parts has one for each part. Widths and text size
 //! follow the size of the sheet, so the picture is readable for a tag and for a three-metre plate.
 //!
 //! An SVG arc is given by its ends and radius. Near half a turn its centre is ill-conditioned, so arcs are written in
@@ -9,6 +9,7 @@
 //! lies within 0.003 mm of the plan.
 
 use super::cuts::{Cut, closes, contour_cuts};
+use super::labels;
 use super::number::{Fixed, fixed};
 use super::sheet_facts::SheetFacts;
 use crate::geometry::{Aabb, DVec2, Segment, arcs};
@@ -27,6 +28,8 @@ const LINE: f64 = 1.0 / 1000.0;
 const MARGIN: f64 = 20.0;
 /// Height of the numbers, in line widths.
 const TEXT_HEIGHT: f64 = 12.0;
+/// Distance of a number to its entry along both axes, in line widths.
+const BESIDE: f64 = 4.0;
 /// Above this number of contours the numbers are omitted, because they would cover the picture. The titles remain.
 const MAX_NUMBERED: usize = 1000;
 
@@ -53,7 +56,7 @@ pub fn svg(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> String {
     bridges(&mut out, plan, width);
     joints(&mut out, plan, width);
     air(&mut out, plan, profile.home());
-    entries(&mut out, plan, width);
+    entries(&mut out, plan, &view, width);
     out.push_str("</svg>\n");
     out
 }
@@ -238,7 +241,7 @@ fn air(out: &mut String, plan: &Plan, home: DVec2) {
     out.push_str("\"/>\n");
 }
 
-fn entries(out: &mut String, plan: &Plan, width: f64) {
+fn entries(out: &mut String, plan: &Plan, view: &Aabb, width: f64) {
     let places: Vec<DVec2> = contour_cuts(plan).iter().map(|c| c.entry).collect();
     out.push_str("<path class=\"entry\" d=\"");
     for p in &places {
@@ -246,9 +249,11 @@ fn entries(out: &mut String, plan: &Plan, width: f64) {
     }
     out.push_str("\"/>\n");
     if places.len() <= MAX_NUMBERED {
-        for (order, p) in places.iter().enumerate() {
-            let beside = *p + DVec2::splat(width * 4.0);
-            let (x, y) = (number(beside.x), number(-beside.y));
+        for (order, corner) in
+            labels::numbers(&places, view, width * BESIDE, width * TEXT_HEIGHT).iter().enumerate()
+        {
+            let Some(corner) = corner else { continue };
+            let (x, y) = (number(corner.x), number(-corner.y));
             let _ = writeln!(out, "<text x=\"{x}\" y=\"{y}\">{}</text>", order + 1);
         }
     }
