@@ -8,6 +8,8 @@
     reason = "tests stop where they cannot go on, compare what must be equal, and share no arithmetic with the product"
 )]
 
+mod refused;
+
 use crate::testkit::beam_machine::{Controller, Run, Step, run};
 use crate::testkit::leads::{leads, with_leads};
 use crate::testkit::paths::{Element, assert_same_path};
@@ -37,7 +39,7 @@ fn drawings() -> Vec<PathBuf> {
 }
 
 /// A machine that pierces, waits after cuts and marks; the waits are long enough to be written by every dialect.
-fn machine() -> Profile {
+pub(super) fn machine() -> Profile {
     Profile { pierce_time: 0.25, beam_on_delay: 0.004, beam_off_delay: 0.002, ..plans::machine() }
 }
 
@@ -52,7 +54,7 @@ fn planned(file: &Path, machine: &Profile) -> Option<(Job, Plan)> {
     Some((job, plan))
 }
 
-fn with(machine: &Profile, dialect: DialectChoice) -> Profile {
+pub(super) fn with(machine: &Profile, dialect: DialectChoice) -> Profile {
     Profile { dialect, ..machine.clone() }
 }
 
@@ -316,191 +318,6 @@ fn inches_and_chords_stay_within_their_tolerance() {
     for file in files(&fixtures().join("dxf-dev"), "dxf").iter().take(6) {
         assert_all(file, &machine(), &own);
     }
-}
-
-/// A program of the small plan, with the piercing that most mutants change.
-fn program(dialect: &str) -> (Profile, Plan, String) {
-    // Without a wait after cuts, every rapid has its own S0.
-    let machine = Profile { beam_off_delay: 0.0, ..machine() };
-    let profile = with(&machine, DialectChoice::named(dialect));
-    let (sheet, plan) = plans::small();
-    let text =
-        output::gcode(&plan, &output::SheetFacts::of(&sheet), &profile, "test.dxf", Start::Absolute).unwrap();
-    (profile, plan, text)
-}
-
-/// Whether the check refuses a changed program, both alone and against the plan, and accepts the original.
-fn assert_refused(dialect: &str, mutant: &str, change: impl Fn(&str) -> String, codes: &[&str]) {
-    let (profile, _, text) = program(dialect);
-    let changed = change(&text);
-    assert_ne!(changed, text, "{mutant} changes nothing in {dialect}");
-    let check = output::check(&changed, &profile).unwrap();
-    assert!(!check.passed, "{mutant} passes in {dialect}:\n{changed}");
-    let found: Vec<String> = check.problems.iter().map(|p| output::json_text(&p.code)).collect();
-    assert!(
-        codes.iter().all(|c| found.contains(&format!("\"{c}\""))),
-        "{mutant} in {dialect}: {codes:?} not in {found:?}"
-    );
-}
-
-/// Multiplies the number of every word with this letter in lines that match.
-fn scaled(text: &str, letter: char, factor: f64, lines: impl Fn(&str) -> bool) -> String {
-    let word = |w: &str| match w.strip_prefix(letter).and_then(|n| n.parse::<f64>().ok()) {
-        Some(n) => format!("{letter}{}", n * factor),
-        None => w.to_owned(),
-    };
-    let line = |l: &str| {
-        if l.starts_with(';') || l.starts_with('(') || !lines(l) {
-            return l.to_owned();
-        }
-        l.split(' ').map(word).collect::<Vec<_>>().join(" ")
-    };
-    text.lines().map(|l| line(l) + "\n").collect()
-}
-
-#[test]
-fn every_mutant_fails_the_preflight() {
-    let is_wait = |l: &str| l.starts_with("G4 ");
-    for dialect in ["grbl-m4", "grbl-m3", "fluidnc", "grblhal", "linuxcnc-m67", "linuxcnc-spindle"] {
-        assert_refused(
-            dialect,
-            "milliseconds for seconds",
-            |t| scaled(t, 'P', 1000.0, is_wait),
-            &["wait-out-of-range"],
-        );
-    }
-    for dialect in ["marlin-inline", "marlin-fan"] {
-        assert_refused(
-            dialect,
-            "seconds for milliseconds",
-            |t| scaled(t, 'P', 0.001, is_wait),
-            &["wait-out-of-range"],
-        );
-    }
-    for (dialect, letter) in [
-        ("grbl-m4", 'S'),
-        ("fluidnc", 'S'),
-        ("marlin-inline", 'S'),
-        ("smoothie", 'S'),
-        ("linuxcnc-m67", 'Q'),
-        ("mach4-m67", 'Q'),
-    ] {
-        let is_power = |l: &str| !l.starts_with("G4 ") && !l.starts_with("G64");
-        assert_refused(
-            dialect,
-            "power times 255",
-            |t| scaled(t, letter, 255.0, is_power),
-            &["power-out-of-range"],
-        );
-    }
-    assert_refused("linuxcnc-m67", "M67 for M68", |t| t.replace("M68", "M67"), &["dark-pierce"]);
-    let without_s0 = |t: &str| {
-        let line = |l: &str| if l.starts_with("G0") { l.replace(" S0", "") } else { l.to_owned() };
-        t.lines().map(|l| line(l) + "\n").collect::<String>()
-    };
-    for dialect in ["grbl-m4", "grbl-m3", "grblhal", "smoothie", "marlin-inline"] {
-        assert_refused(dialect, "a dropped S0", without_s0, &["power-on-rapid"]);
-    }
-    assert_refused("fluidnc", "a dropped S0", without_s0, &["beam-on-rapid"]);
-    for dialect in dialects() {
-        let shift = |t: &str| {
-            let moved = |w: &str| match w.strip_prefix('X').and_then(|n| n.parse::<f64>().ok()) {
-                Some(n) => format!("X{}", n + 3.0),
-                None => w.to_owned(),
-            };
-            t.lines().map(|l| if l.starts_with('G') { l.split(' ').map(moved).collect::<Vec<_>>().join(" ") } else { l.to_owned() } + "\n").collect::<String>()
-        };
-        assert_refused(&dialect.name, "a shifted origin", shift, &["differs"]);
-        let doubled = |t: &str| {
-            let lines: Vec<&str> = t.lines().collect();
-            let starts: Vec<usize> = (0..lines.len()).filter(|&k| lines[k].contains(" contour ")).collect();
-            let contour = lines[starts[1]..starts[2]].join("\n") + "\n";
-            let at = lines[..starts[2]].join("\n").len() + 1;
-            // Back to where the contour begins, then the contour again.
-            let back = lines[starts[1] - 1..starts[1]].join("\n") + "\n";
-            let text = lines.join("\n") + "\n";
-            format!("{}{back}{contour}{}", &text[..at], &text[at..])
-        };
-        assert_refused(&dialect.name, "a doubled contour", doubled, &["cut-twice"]);
-        let truncated =
-            |t: &str| t.lines().take(t.lines().count() - 4).map(|l| l.to_owned() + "\n").collect();
-        assert_refused(&dialect.name, "half a program", truncated, &["incomplete"]);
-    }
-    for (dialect, off) in [
-        ("grbl-m4", "M5 S0"),
-        ("grbl-m3", "M5 S0"),
-        ("fluidnc", "M5 S0"),
-        ("grblhal", "M5 S0"),
-        ("linuxcnc-spindle", "M5"),
-        ("linuxcnc-m67", "M68 E0 Q0"),
-        ("marlin-fan", "M107 P0"),
-        ("template", "M98 P9002"),
-    ] {
-        let missing = |t: &str| {
-            let last_cut = t.rfind("\nG1").or(t.rfind("\nG3")).unwrap();
-            let (work, end) = t.split_at(last_cut);
-            format!(
-                "{work}{}",
-                end.lines()
-                    .filter(|l| *l != off && !l.starts_with("M67"))
-                    .map(|l| l.to_owned() + "\n")
-                    .collect::<String>()
-            )
-        };
-        assert_refused(dialect, "a missing M5", missing, &["beam-on-at-end"]);
-    }
-}
-
-#[test]
-fn what_a_dialect_cannot_do_is_refused_in_a_sentence_that_names_it() {
-    let (sheet, plan) = plans::small();
-    let mut smoothie = dialects().into_iter().find(|d| d.name == "smoothie").unwrap();
-    smoothie.pierce = None;
-    let profile = with(&machine(), DialectChoice::Document(Box::new(smoothie)));
-    let error = output::gcode(&plan, &output::SheetFacts::of(&sheet), &profile, "x", Start::Absolute)
-        .unwrap_err()
-        .to_string();
-    assert_eq!(
-        error,
-        "Smoothieware (dialect \"smoothie\") cannot pierce at rest: set the machine's piercing time and beam-on delay to 0, \
-         or choose a dialect that pierces."
-    );
-    let stays = Profile { return_home: false, ..with(&machine(), DialectChoice::named("mach4-m67")) };
-    let stop = plans::Stop {
-        layer: 0,
-        operation: kerfway::sheet::Operation::Cut,
-        path: kerfway::geometry::Path::new(vec![Segment::line(glam::DVec2::X, glam::DVec2::Y)], false),
-    };
-    let (sheet, plan) = plans::plan_of(vec![stop], &[("0", 7)], &stays);
-    let error = output::gcode(&plan, &output::SheetFacts::of(&sheet), &stays, "x", Start::Absolute)
-        .unwrap_err()
-        .to_string();
-    assert!(
-        error.starts_with("Mach4 (dialect \"mach4-m67\") switches the beam off with the next motion only"),
-        "{error}"
-    );
-}
-
-#[test]
-fn a_dialect_that_contradicts_itself_is_refused() {
-    let of = |change: fn(&mut Dialect)| {
-        let mut dialect = dialects().into_iter().find(|d| d.name == "smoothie").unwrap();
-        change(&mut dialect);
-        let profile = with(&machine(), DialectChoice::Document(Box::new(dialect)));
-        profile.validate().unwrap_err().to_string()
-    };
-    use kerfway::machine::dialect::PierceBy;
-    let error = of(|d| d.pierce.as_mut().unwrap().by = PierceBy::DwellM3);
-    assert!(
-        error.contains("pierces by \"dwell-m3\", which does not work with power by \"motion\""),
-        "{error}"
-    );
-    let error = of(|d| d.header.push("G21 {secnds}".into()));
-    assert!(error.contains("no placeholder named \"secnds\". Did you mean \"seconds\"?"), "{error}");
-    let error = of(|d| d.footer.push("M5 ß".into()));
-    assert!(error.contains("'ß'"), "{error}");
-    let error = of(|d| d.pierce.as_mut().unwrap().length = None);
-    assert!(error.contains("give \"pierce.length\""), "{error}");
 }
 
 #[test]

@@ -2,29 +2,36 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests stop where they cannot go on")]
 #![allow(clippy::print_stdout, reason = "the figures of docs/levers.md")]
 
-use crate::testkit::exact::{planned, search_of_exact_cost};
+mod checker;
+mod every_choice;
+mod motion;
+
+use crate::testkit::exact::planned;
 use crate::testkit::gcode;
-use crate::testkit::grbl_planner::{self, Machine, Settings};
-use crate::testkit::paths::Element;
 use crate::testkit::sheets::{Builder, circle, line, machine, p, polygon, rectangle, slot};
 use kerfway::geometry::{DVec2, Path, Segment, math};
 use kerfway::machine::dialect::{DialectChoice, dialects};
 use kerfway::machine::{
-    AirTime, Fly, JointRule, Joints, LeadKind, LeadRule, LeadShape, Leads, Levers, MovingPierce, Process,
-    Profile, Start, cut_time,
+    Fly, JointRule, Joints, LeadKind, LeadRule, LeadShape, Leads, Levers, Process, Profile, Start, cut_time,
 };
 use kerfway::output::{self, SheetFacts};
-use kerfway::plan::{self, Move, Plan, Violation};
+use kerfway::plan::{self, Move, Plan};
 use kerfway::sheet::Sheet;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
-fn flying(reach: f64, overcut: f64) -> Profile {
+pub(super) fn flying(reach: f64, overcut: f64) -> Profile {
     let levers = Levers { fly: Some(Fly { reach, overcut }), ..Levers::default() };
     Profile { levers, ..machine("fibre-3kw-thin") }
 }
 
 /// A plate with holes at the places of a grid, the first at 20, 20. `turn` turns all of it, rad.
-fn plate(columns: u32, rows: u32, pitch: f64, turn: f64, hole: impl Fn(DVec2, f64) -> Path) -> Sheet {
+pub(super) fn plate(
+    columns: u32,
+    rows: u32,
+    pitch: f64,
+    turn: f64,
+    hole: impl Fn(DVec2, f64) -> Path,
+) -> Sheet {
     let mut b = Builder::new();
     let u = math::unit(turn);
     let size = p(40.0 + pitch * f64::from(columns), 40.0 + pitch * f64::from(rows));
@@ -39,16 +46,16 @@ fn plate(columns: u32, rows: u32, pitch: f64, turn: f64, hole: impl Fn(DVec2, f6
     b.sheet
 }
 
-fn round(at: DVec2, _: f64) -> Path {
+pub(super) fn round(at: DVec2, _: f64) -> Path {
     circle(at, 1.5)
 }
 
-fn square(at: DVec2, turn: f64) -> Path {
+pub(super) fn square(at: DVec2, turn: f64) -> Path {
     let u = math::unit(turn);
     polygon(&[p(0.0, 0.0), p(10.0, 0.0), p(10.0, 10.0), p(0.0, 10.0)].map(|c| at + u.rotate(c)))
 }
 
-fn checked(sheet: &Sheet, machine: &Profile) -> Plan {
+pub(super) fn checked(sheet: &Sheet, machine: &Profile) -> Plan {
     let plan = planned(sheet, machine);
     assert_eq!(plan::check(sheet, machine, &plan), Ok(()));
     plan
@@ -229,278 +236,6 @@ fn machines_with_pre_cuts_are_refused() {
     assert!(message.contains("\"levers.fly.reach\" is 0"), "{message}");
     let message = flying(10.0, -1.0).validate().unwrap_err().to_string();
     assert!(message.contains("\"levers.fly.overcut\" is -1"), "{message}");
-}
-
-/// Seconds of the program of a plan in a simulation of a controller that looks ahead over `blocks` lines.
-fn simulated(sheet: &Sheet, machine: &Profile, plan: &Plan, blocks: usize) -> f64 {
-    let text = output::gcode(plan, &SheetFacts::of(sheet), machine, "plate.dxf", Start::Absolute).unwrap();
-    let program = gcode::run(&text).unwrap();
-    let [ax, ay] = machine.rapid.accel.unwrap();
-    let told = Machine {
-        rapid_speed: machine.rapid.speed,
-        rapid_accel: [ax, ay],
-        accel: machine.cut.accel.unwrap(),
-        junction_deviation: machine.junction_deviation.unwrap(),
-        blocks,
-        stops: true,
-    };
-    grbl_planner::program_seconds(told, &program)
-}
-
-#[test]
-fn ten_thousand_holes_on_the_run_take_as_long_as_a_simulation_of_the_motion_says() {
-    let sheet = plate(100, 100, 6.0, 0.0, round);
-    let rest = machine("fibre-3kw-thin");
-    let moving = Levers { moving_pierce: Some(MovingPierce { overcut: 0.0 }), ..Levers::default() };
-    let moving = Profile { levers: moving, ..rest.clone() };
-    let mut seconds = Vec::new();
-    for (name, machine) in
-        [("hole by hole", rest), ("moving pierce", moving), ("on the run", flying(20.0, 0.0))]
-    {
-        let plan = checked(&sheet, &machine);
-        // The longest braking is over 16 mm, 110 chords of such a hole.
-        let run = simulated(&sheet, &machine, &plan, 200);
-        let planned = plan.summary.total_time;
-        println!("{name}: {planned:.1} s, simulated {run:.1} s");
-        assert!((run / planned - 1.0).abs() < 0.02, "{name}: {planned} s, simulated {run} s");
-        seconds.push(planned);
-    }
-    assert!(seconds[2] < 0.5 * seconds[1] && seconds[2] < 0.3 * seconds[0], "{seconds:?}");
-}
-
-#[test]
-fn grids_take_as_long_as_a_simulation_of_the_motion_says() {
-    let machine = flying(20.0, 0.3);
-    for sheet in [plate(12, 9, 20.0, 0.0, square), plate(12, 9, 20.0, 0.4, |at, _| circle(at, 4.0))] {
-        let plan = checked(&sheet, &machine);
-        assert!(plan.summary.fly_cuts > 0);
-        let element = |s: &Segment| Element {
-            from: s.start(),
-            to: s.end(),
-            arc: if let Segment::Arc(a) = s { Some((a.center, a.sweep)) } else { None },
-        };
-        let (mut run, mut seconds) = (Vec::new(), 0.0);
-        let settings = Settings { accel: 5000.0, junction_deviation: 0.02 };
-        for m in &plan.moves {
-            match m {
-                Move::Cut { path, .. } | Move::Fly { path } => {
-                    let halves = path.iter().flat_map(|s| [s.piece(0.0, 0.5), s.piece(0.5, 1.0)]);
-                    run.extend(halves.map(|s| (element(&s), 400.0)));
-                }
-                _ => seconds += grbl_planner::seconds(settings, &std::mem::take(&mut run)),
-            }
-        }
-        let off = seconds / plan.summary.cut_time - 1.0;
-        assert!(off.abs() < 0.015, "{seconds} s, planned {}", plan.summary.cut_time);
-    }
-}
-
-/// A run over some holes of a row: its ends and its seconds.
-fn run_over(holes: &[f64], y: f64, above: bool, machine: &Profile) -> ([DVec2; 2], f64) {
-    let r = if above { 1.5 } else { -1.5 };
-    let mut motion: Vec<Segment> = Vec::new();
-    let mut ends = [p(holes[0], y + r); 2];
-    for &x in holes {
-        let at = p(x, y + r);
-        if at != ends[1] {
-            motion.push(Segment::line(ends[1], at));
-        }
-        let (from, ahead) =
-            (if above { PI / 2.0 } else { -PI / 2.0 }, x >= holes[0] && holes[0] <= holes[holes.len() - 1]);
-        // With the holes on the left, around them counter-clockwise.
-        let sweep = if ahead == above { -TAU } else { TAU };
-        motion.push(Segment::Arc(kerfway::geometry::Arc::from_angles(p(x, y), 1.5, from, sweep)));
-        ends[1] = at;
-    }
-    // A hole alone is pierced at rest.
-    let start =
-        if holes.len() > 1 { machine.beam_off_delay } else { machine.pierce_time + machine.beam_delays() };
-    (ends, cut_time(machine, &machine.cut, &motion) + start)
-}
-
-/// The least seconds of every order, side and direction of these runs.
-fn least(runs: &[&[f64]], ys: &[f64], machine: &Profile) -> f64 {
-    let air = AirTime::new(machine);
-    let ways: Vec<Vec<([DVec2; 2], f64)>> = runs
-        .iter()
-        .zip(ys)
-        .map(|(run, &y)| {
-            let back: Vec<f64> = run.iter().rev().copied().collect();
-            [true, false]
-                .into_iter()
-                .flat_map(|above| [run_over(run, y, above, machine), run_over(&back, y, above, machine)])
-                .collect()
-        })
-        .collect();
-    fn go(air: &AirTime, ways: &[Vec<([DVec2; 2], f64)>], left: u32, head: DVec2) -> f64 {
-        if left == 0 {
-            return air.seconds(head, DVec2::ZERO);
-        }
-        let mut best = f64::INFINITY;
-        for (k, ways_of) in ways.iter().enumerate().filter(|(k, _)| left >> k & 1 == 1) {
-            for (ends, seconds) in ways_of {
-                let rest = go(air, ways, left & !(1 << k), ends[1]);
-                best = best.min(air.seconds(head, ends[0]) + seconds + rest);
-            }
-        }
-        best
-    }
-    go(&air, &ways, (1 << runs.len()) - 1, DVec2::ZERO)
-}
-
-#[test]
-fn six_holes_are_cut_as_well_as_by_every_way_to_divide_their_rows() {
-    let machine = flying(30.0, 0.0);
-    for (k, (pitch, between, shift)) in
-        [(6.0, 8.0, 0.0), (12.0, 5.0, 3.0), (25.0, 40.0, 60.0)].into_iter().enumerate()
-    {
-        let xs = [
-            [30.0, 30.0 + pitch, 30.0 + 2.0 * pitch],
-            [30.0 + shift, 30.0 + shift + pitch, 30.0 + shift + 2.0 * pitch],
-        ];
-        let ys = [25.0, 25.0 + between];
-        let mut b = Builder::new();
-        for (row, y) in xs.iter().zip(ys) {
-            for &x in row {
-                b.cut(circle(p(x, y), 1.5), None);
-            }
-        }
-        let (_, _, plan) = search_of_exact_cost(&b.sheet, &machine, 1);
-        // Each row as one run, in two, or hole by hole.
-        let divided = |row: &[f64; 3]| -> Vec<Vec<Vec<f64>>> {
-            let [a, b, c] = *row;
-            vec![
-                vec![vec![a, b, c]],
-                vec![vec![a], vec![b, c]],
-                vec![vec![a, b], vec![c]],
-                vec![vec![a], vec![b], vec![c]],
-            ]
-        };
-        let mut best = f64::INFINITY;
-        for one in divided(&xs[0]) {
-            for two in divided(&xs[1]) {
-                let runs: Vec<&[f64]> = one.iter().chain(&two).map(Vec::as_slice).collect();
-                let ys: Vec<f64> = one.iter().map(|_| ys[0]).chain(two.iter().map(|_| ys[1])).collect();
-                best = best.min(least(&runs, &ys, &machine));
-            }
-        }
-        let found = plan.summary.total_time;
-        assert!((found - best).abs() < 1e-9, "case {k}: {found} s, not {best} s");
-        assert_eq!(plan.summary.fly_cuts, 4);
-    }
-}
-
-#[test]
-fn the_search_is_as_good_as_every_order_of_rows_and_single_contours() {
-    for seed in 0..6_u32 {
-        let mut b = Builder::new();
-        let far = f64::from(seed * 7 % 5);
-        for k in 0..3 {
-            b.cut(circle(p(20.0 + 8.0 * f64::from(k), 20.0 + far), 2.0), None);
-        }
-        b.cut(slot(p(60.0 + far * 9.0, 30.0), 10.0, 2.0), None);
-        b.cut(rectangle(p(10.0, 60.0 + far * 3.0), p(20.0, 12.0)), None);
-        let (_, _, plan) = search_of_exact_cost(&b.sheet, &flying(20.0, 0.2), seed.into());
-        assert_eq!(plan.summary.fly_cuts, 2);
-    }
-}
-
-/// What the checker says of a plan of the plate after a change to its moves.
-fn after(
-    sheet: &Sheet,
-    machine: &Profile,
-    checked: &Profile,
-    change: impl FnOnce(&mut Vec<Move>),
-) -> Vec<Violation> {
-    let mut plan = planned(sheet, machine);
-    change(&mut plan.moves);
-    let parts = plan.summary.parts;
-    plan.summary = plan::evaluate(&plan.moves, sheet, checked);
-    plan.summary.parts = parts;
-    plan::check(sheet, checked, &plan).unwrap_err()
-}
-
-fn says(found: &[Violation], wanted: &str) -> bool {
-    found.iter().any(|v| matches!(v, Violation::Beam { what, .. } if *what == wanted))
-}
-
-#[test]
-fn the_checker_finds_wrong_cuts_on_the_run() {
-    let (rows, grid) = (plate(4, 2, 6.0, 0.0, round), plate(4, 2, 20.0, 0.0, square));
-    let machine = flying(20.0, 0.3);
-    let fly = |moves: &[Move]| moves.iter().position(|m| matches!(m, Move::Fly { .. })).unwrap();
-    let without = Profile { levers: Levers::default(), ..machine.clone() };
-    assert!(says(&after(&rows, &machine, &without, |_| ()), "cuts on the run, which the machine does not"));
-    let short = flying(4.0, 0.3);
-    assert!(says(&after(&rows, &machine, &short, |_| ()), "runs on farther than the machine does"));
-    let longer = flying(20.0, 0.5);
-    assert!(says(&after(&rows, &machine, &longer, |_| ()), "does not cut the beginning again on the run"));
-    let found = after(&rows, &machine, &machine, |moves| {
-        let at = fly(moves);
-        moves.remove(at + 1);
-    });
-    assert!(
-        says(&found, "runs on without a cut before it") || says(&found, "runs on without a cut after it"),
-        "{found:?}"
-    );
-    assert!(
-        found.iter().any(|v| matches!(v, Violation::Missing { .. } | Violation::Partly { .. })),
-        "{found:?}"
-    );
-    // The beam is on along the way.
-    let found = after(&rows, &machine, &machine, |moves| {
-        let at = fly(moves);
-        let Move::Fly { path } = moves.remove(at) else { panic!() };
-        let Move::Cut { path: before, .. } = &mut moves[at - 1] else { panic!() };
-        before.extend(path);
-    });
-    assert!(!found.is_empty());
-    // A side of a grid that is left out, cut twice, or cut a little too far.
-    let side = |moves: &[Move]| {
-        moves.iter().position(|m| matches!(m, Move::Cut { path, .. } if path.len() == 1)).unwrap() + 2
-    };
-    let found = after(&grid, &machine, &machine, |moves| {
-        let at = side(moves);
-        let Move::Cut { path, .. } = &mut moves[at] else { panic!() };
-        path[0] = path[0].piece(0.0, 0.9);
-        let end = path[0].end();
-        if let Move::Fly { path } = &mut moves[at + 1] {
-            path[0] = Segment::line(end, path[0].end());
-        }
-    });
-    assert!(found.iter().any(|v| matches!(v, Violation::Partly { .. })), "{found:?}");
-    let found = after(&grid, &machine, &machine, |moves| {
-        let at = side(moves);
-        let Move::Cut { path, .. } = &mut moves[at] else { panic!() };
-        let (from, to) = (path[0].start() + p(0.0, 0.01), path[0].end() + p(0.0, 0.01));
-        path[0] = Segment::line(from, to);
-    });
-    assert!(found.iter().any(|v| matches!(v, Violation::Strays { .. })), "{found:?}");
-    // A side twice and its neighbour not at all.
-    let found = after(&grid, &machine, &machine, |moves| {
-        let at = side(moves);
-        let (Move::Cut { contour: c, .. }, Move::Cut { path: first, .. }) =
-            (moves[at].clone(), moves[at - 2].clone())
-        else {
-            panic!()
-        };
-        moves[at] = Move::Cut {
-            contour: c,
-            with: Vec::new(),
-            path: first,
-            mark: false,
-            leads: plan::Leads::default(),
-            turns: vec![],
-        };
-    });
-    assert!(!found.is_empty());
-    // The plate is cut free before its holes are complete.
-    let found = after(&grid, &machine, &machine, |moves| {
-        let outline = moves.iter().position(|m| matches!(m, Move::Cut { contour: 0, .. })).unwrap();
-        let cut: Vec<Move> = moves.drain(outline - 2..=outline).collect();
-        moves.splice(0..0, cut);
-    });
-    assert!(found.iter().any(|v| matches!(v, Violation::CutFree { .. })), "{found:?}");
 }
 
 #[test]
