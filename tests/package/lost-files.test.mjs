@@ -83,3 +83,13 @@ it('every wasm file there is reports its panics', async () => {
   assert.deepEqual(readdirSync(pkg).filter((f) => f.endsWith('.wasm')).sort(), FILES.map((name) => `${name}_bg.wasm`));
   for (const name of FILES) assert.equal(typeof (await import(pathToFileURL(join(pkg, `${name}.js`)))).lastPanic, 'function', name);
 });
+
+it("the planner's own file is named, whether it is damaged, elsewhere or given as bytes", async (t) => {
+  const refused = { name: 'KerfwayError', code: 'not-started', message: /^The file kerfway_bg\.wasm cannot be loaded: .*\. Check that all files of the package are there and can be reached, then try again\.$/ };
+  const { createPlanner } = await copy(t, ['kerfway'], damaged.damaged);
+  await assert.rejects(createPlanner(), refused);
+  const nowhere = join(folder(t), 'nowhere.wasm');
+  for (const options of [{ wasmUrl: nowhere }, { wasmUrl: pathToFileURL(nowhere) }, { wasm: new Uint8Array([1, 2, 3]) }, { wasm: 'kerfway.wasm' }]) {
+    for (const worker of [true, false]) await assert.rejects(kerfway.createPlanner({ ...options, worker }), refused, JSON.stringify(options));
+  }
+});

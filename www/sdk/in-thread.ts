@@ -5,7 +5,7 @@
  */
 
 import { KerfwayError } from './errors.js';
-import { optionalFile } from './optional-file.js';
+import { loadedFile } from './wasm-file.js';
 import * as outputs from './pkg/kerfway_outputs.js';
 import type { FromWorker } from './protocol.js';
 import { type Host, Session } from './session.js';
@@ -26,7 +26,7 @@ export const inThread = (read: () => Promise<WasmModule | WasmBytes>): StartWork
     research: async () => {
       throw new KerfwayError('not-in-this-build', `${NO_FILE}: it reads no SVG, has no methods from papers, and does not plan the levers fly, chains, bridges, common_cuts, tips, heat and corners. Use the entry kerfway, with its workers, for them.`);
     },
-    outputs: (given) => optionalFile('kerfway_outputs', async () => {
+    outputs: (given) => loadedFile('kerfway_outputs', async () => {
       await outputs.default({ module_or_path: given ?? (await read()) });
       return outputs;
     }),

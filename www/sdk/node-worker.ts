@@ -2,7 +2,7 @@
 
 import { readFile } from 'node:fs/promises';
 import { parentPort } from 'node:worker_threads';
-import { optionalFile } from './optional-file.js';
+import { loadedFile } from './wasm-file.js';
 import type { ToWorker } from './protocol.js';
 import { type Host, Session } from './session.js';
 import type { WasmBytes, WasmModule } from './wasm-module.js';
@@ -11,7 +11,7 @@ type Wasm = WasmModule | WasmBytes;
 
 /** Reads and compiles the wasm file of a module that wasm-bindgen wrote; `given` replaces the file. */
 function ready<M extends { initSync(wasm: { module: Wasm }): unknown }>(name: string, load: () => Promise<M>, given?: Wasm): Promise<M> {
-  return optionalFile(name, async () => {
+  return loadedFile(name, async () => {
     const module = await load();
     module.initSync({ module: given ?? (await readFile(new URL(`./pkg/${name}_bg.wasm`, import.meta.url))) });
     return module;

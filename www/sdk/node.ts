@@ -12,6 +12,7 @@ import { fileURLToPath } from 'node:url';
 import { Worker } from 'node:worker_threads';
 import { entry, type Entry } from './entry.js';
 import { wasmAt, type Places } from './places.js';
+import { loadedFile } from './wasm-file.js';
 import type { WasmBytes } from './wasm-module.js';
 import type { StartWorker } from './worker-connection.js';
 
@@ -52,7 +53,8 @@ const bytesOf = (url: string | URL) => readFile(url instanceof URL || !url.start
 
 async function read(places: Places): Promise<WebAssembly.Module> {
   const url = wasmAt(places) ?? fileBeside('./pkg/kerfway_bg.wasm');
-  return WebAssembly.compile(url === null ? (await import('./inline.js')).wasm() : await bytesOf(url));
+  if (url === null) return WebAssembly.compile((await import('./inline.js')).wasm());
+  return loadedFile('kerfway', async () => WebAssembly.compile(await bytesOf(url)));
 }
 
 async function readOutputs({ locate }: Places): Promise<WasmBytes> {

@@ -4,6 +4,7 @@ import { checkPlaces } from './options.js';
 import type { Places } from './places.js';
 import { Planner, type PlannerOptions } from './planner.js';
 import type { StartWorker } from './worker-connection.js';
+import { loadedFile } from './wasm-file.js';
 import type { WasmBytes, WasmModule } from './wasm-module.js';
 
 /** What an entry point knows of its platform. */
@@ -34,7 +35,7 @@ export function plannerFactory(platform: Platform): (options?: PlannerOptions) =
   const compiled = (options: PlannerOptions): WasmModule | Promise<WasmModule> => {
     const { wasm } = options;
     if (wasm === undefined) return read(options);
-    return wasm instanceof WebAssembly.Module ? wasm : WebAssembly.compile(wasm as BufferSource);
+    return wasm instanceof WebAssembly.Module ? wasm : loadedFile('kerfway', () => WebAssembly.compile(wasm as BufferSource));
   };
   return async (options = {}) => {
     checkPlaces(options);

@@ -1,6 +1,6 @@
 /** The planner in a Web Worker. */
 
-import { optionalFile } from './optional-file.js';
+import { loadedFile } from './wasm-file.js';
 import type { ToWorker } from './protocol.js';
 import { type Host, Session } from './session.js';
 import type { WasmBytes, WasmModule } from './wasm-module.js';
@@ -17,7 +17,7 @@ const scope = self as unknown as WorkerScope;
 
 /** Fetches and compiles the wasm file of a module that wasm-bindgen wrote; `given` replaces the file. */
 function ready<M extends { default(given?: { module_or_path: Wasm }): Promise<unknown> }>(name: string, load: () => Promise<M>, given?: Wasm): Promise<M> {
-  return optionalFile(name, async () => {
+  return loadedFile(name, async () => {
     const module = await load();
     await module.default(given && { module_or_path: given });
     return module;

@@ -1,9 +1,9 @@
-/** Loading of the wasm files that are used on demand: the writers of outputs, the PNG renderer, and the methods from papers. */
+/** Loading of wasm files: that of the planner, and those used on demand, which write outputs, draw PNGs and hold the methods from papers. */
 
 import { KerfwayError } from './errors.js';
 
 /** Loads a file. If that fails, the error names the file and what to do, which the error of the platform does not. */
-export async function optionalFile<M>(name: string, load: () => Promise<M>): Promise<M> {
+export async function loadedFile<M>(name: string, load: () => Promise<M>): Promise<M> {
   try {
     return await load();
   } catch (error) {
