@@ -54,6 +54,21 @@ fn units_that_do_not_fit_the_size_are_doubtful() {
 }
 
 #[test]
+fn a_size_of_300_digits_is_not_written_out() {
+    let line = |x: f64| format!("0 LINE 8 0 10 0 20 0 11 {x} 21 0");
+    let text = format!(
+        "0 SECTION 2 HEADER 9 $INSUNITS 70 4 0 ENDSEC 0 SECTION 2 ENTITIES {} {} 0 ENDSEC 0 EOF",
+        line(100.0),
+        line(1e300)
+    );
+    let drawing = read(&lines(&text)).unwrap();
+    assert_eq!(
+        found(&drawing, Code::UnitsDoubtful).message,
+        "The file says millimetres, but then the drawing is over 1 km large. Check the units."
+    );
+}
+
+#[test]
 fn units_that_are_missing_are_guessed_with_a_reason() {
     let guess = |header: &str, size: f64| {
         let units = with_units(header, size).units;

@@ -135,7 +135,10 @@ fn is_plausible(unit: Unit, size: f64) -> bool {
 /// An extent in millimetres or metres, rounded for people.
 fn extent(unit: Unit, size: f64) -> String {
     let mm = size * unit.millimetres();
-    if mm >= 10_000.0 {
+    // Farther than that nothing is read; a number from a damaged file may have 300 digits.
+    if mm > 1e6 {
+        "over 1 km".to_owned()
+    } else if mm >= 10_000.0 {
         format!("{:.1} m", mm / 1000.0)
     } else if mm >= 100.0 {
         format!("{mm:.0} mm")
