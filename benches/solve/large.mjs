@@ -20,7 +20,7 @@ const LEAST = 200;
 /** Seconds after which values are kept. */
 const MARKS = [10, 60, 600];
 /** Most nodes of an instance that LKH is given: it reads the costs of all pairs of nodes, and its preparation grows with their square. */
-const LKH_MOST = 4500;
+const LKH_MOST = 7500;
 
 const US = 'kerfway';
 const LKH = 'LKH';

@@ -13,6 +13,7 @@ LKH is by K. Helsgaun (akira.ruc.dk/~keld/research/LKH-3), for academic and non-
 import argparse
 import json
 import resource
+import signal
 import subprocess
 import sys
 import tempfile
@@ -21,7 +22,7 @@ from pathlib import Path
 import numpy as np
 from baselines import best_entries, entered, length, noon_bean, read, visits_every_set
 
-# Seconds of the clock after which LKH is stopped, for each second that it is given.
+# Seconds of the processor after which LKH is stopped, for each second that it is given: its preparation takes many times as long.
 PATIENCE = 15
 # What the script runGLKH of GLKH 1.0 sets.
 GLKH = {"ASCENT_CANDIDATES": 500, "INITIAL_PERIOD": 1000, "MAX_CANDIDATES": 30}
@@ -61,10 +62,13 @@ def solve(program, costs, sets, seconds, seed):
             "PRECISION": precision(int(matrix.max())), "TRACE_LEVEL": 0,
         }  # fmt: skip
         parameters.write_text("".join(f"{key} = {value}\n" for key, value in lines.items()))
-        try:
-            ran = subprocess.run([program, parameters], stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=PATIENCE * seconds)
-        except subprocess.TimeoutExpired:
-            raise SystemExit(f"{program} was stopped after {PATIENCE * seconds:.0f} s of the clock.") from None
+        most = int(PATIENCE * seconds)
+        ran = subprocess.run(
+            [program, parameters], stdin=subprocess.DEVNULL, capture_output=True, text=True,
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (most, most)),
+        )  # fmt: skip
+        if ran.returncode == -signal.SIGKILL:
+            raise SystemExit(f"{program} was stopped after {most} s of the processor.")
         if ran.returncode != 0 or not tour.exists():
             raise SystemExit(f"{program} found no tour: {(ran.stderr or ran.stdout).strip()[-300:]}")
         order = entered(nodes_of(tour.read_text()), sets)
