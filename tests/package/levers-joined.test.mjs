@@ -98,6 +98,24 @@ describe('bridges', () => {
     const without = await plan('--bridge-width', '3');
     assert.deepEqual([without.code, /--bridge-width: the machine does not connect parts/.test(without.stderr)], [2, true], without.stderr);
   });
+
+  it('are named by their options where they contradict something', async (t) => {
+    const at = folder(t);
+    const [file, profile] = [join(at, 'row.dxf'), join(at, 'flying.json')];
+    writeFileSync(file, row);
+    const plan = async (...options) => {
+      const { code, stderr } = await kerfway('plan', file, '--moves', '500', '--quiet', ...options);
+      return [code, stderr.trim()];
+    };
+    const because = 'Outlines that bridges connect are cut in one go: give one of them.';
+    assert.deepEqual(await plan('--bridges', '10', '--fly', '20'), [1, `kerfway: ${file}: --bridges and --fly contradict each other. ${because}`]);
+    // What the machine has of its own keeps its name.
+    const planner = await createPlanner();
+    t.after(() => planner.close());
+    writeFileSync(profile, JSON.stringify({ ...planner.machines.find(({ name }) => name === 'co2-100w'), levers: { fly: { reach: 20 } } }));
+    assert.deepEqual(await plan('--machine', profile, '--bridges', '10'), [1, `kerfway: ${file}: --bridges and levers.fly contradict each other. ${because}`]);
+    assert.deepEqual(await plan('--bridges', '10', '--part-by-part'), [1, `kerfway: ${file}: Parts that bridges connect are finished together. Leave out "--bridges", or do not cut part by part.`]);
+  });
 });
 
 describe('chains', () => {

@@ -153,14 +153,14 @@ export function readerLeft(): void {
   if (!writing()) process.exit();
 }
 
-/** Awaits work of the planner, whose errors are about the input. */
-export async function usable<T>(file: string, work: Promise<T>): Promise<T> {
+/** Awaits work of the planner, whose errors are about the input. `written` puts a sentence into the words of the command line. */
+export async function usable<T>(file: string, work: Promise<T>, written = (sentence: string) => sentence): Promise<T> {
   try {
     return await work;
   } catch (error) {
     const report = reportOf(error);
     // The core does not know by what name the option is given here.
     const option = report.code === 'off-bed' ? ' (--allow-off-bed)' : '';
-    throw new Unusable(`${file === STANDARD_INPUT ? 'Standard input' : file}: ${(error as Error).message}${option}`, report);
+    throw new Unusable(`${file === STANDARD_INPUT ? 'Standard input' : file}: ${written((error as Error).message)}${option}`, report);
   }
 }

@@ -10,7 +10,7 @@ import type { Loaded, MachineProfile, PlanOptions, Proof, ProofBudget } from '..
 import type { ProofHandle } from '../prover.js';
 import { loadOptions, number, oneOf, parameters, placingOptions, seconds, text, whole, type Words } from './arguments.js';
 import { machineFiles, machineOf } from './machine.js';
-import { checkedAsWritten } from './as-written.js';
+import { checkedAsWritten, leversAsWritten } from './as-written.js';
 import { eachFile, type Requested, type Outlet, type Place } from './batch.js';
 import { nameOf, Unusable, usable } from './io.js';
 import { opened } from './opened.js';
@@ -60,7 +60,8 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
       // A quote starts without the plan of the project, because others must be able to make it from the drawing alone.
       const plan = isAsSaved && !isQuote ? project.plan : null;
       const search = budgeted({ ...chosen, ...continuing(plan, budget) }, loaded, requested.defaultBudget);
-      const { result, proof } = await usable(file, searched(planner, search, proving, { file, place, quiet: values['quiet'] === true, outputs: requested.outputs.map(({ kind }) => kind) }));
+      const planned = searched(planner, search, proving, { file, place, quiet: values['quiet'] === true, outputs: requested.outputs.map(({ kind }) => kind) });
+      const { result, proof } = await usable(file, planned, (sentence) => leversAsWritten(values, sentence));
       await write({ file, place, planner, loaded, result, proof, options: search }, to);
     });
   } finally {
