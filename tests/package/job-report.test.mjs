@@ -31,6 +31,7 @@ it('has the figures of the plan, each part, the order, and nothing that runs or 
   assert.deepEqual(rows, [...path.contours]);
   assert.match(page, /<h2>Cutting order<\/h2><div class="order"><table>/);
   assert.match(page, /@media print \{.*\.order \{ columns: 2;/, 'hundreds of rows fill half as many sheets of paper');
+  assert.deepEqual([40_790, 0.2].map(ENGLISH_REPORT.area), ['407.90 cm²', 'under 0.01 cm²'], 'areas below each other have the same decimals');
   assert.equal(ENGLISH_REPORT.duration(11_040), '3 h 04 min', 'as on the command line');
   const picture = Buffer.from(/base64,([^"]+)"/.exec(page)[1], 'base64').toString();
   assert.equal(picture, await planner.output('svg'));

@@ -1,6 +1,6 @@
 /** The words of a report, and how it writes numbers: English, and what another language has to say. */
 
-import { duration } from './words.js';
+import { duration, fixed } from './words.js';
 import type { Finding, Operation, Severity, Unit, UnitsTaken } from './protocol.js';
 
 /** How a report is written. */
@@ -93,7 +93,7 @@ const number = (value: number) => String(Math.round(value * 100) / 100);
 /** English, in millimetres. */
 export const ENGLISH: ReportText = {
   lang: 'en', number, duration,
-  length: (mm) => `${number(mm)} mm`, size: (width, height) => `${number(width)} × ${number(height)} mm`, far: (mm) => `${(mm / 1000).toFixed(2)} m`, area: (mm2) => `${number(mm2 / 100)} cm²`,
+  length: (mm) => `${number(mm)} mm`, size: (width, height) => `${number(width)} × ${number(height)} mm`, far: (mm) => `${(mm / 1000).toFixed(2)} m`, area: (mm2) => `${fixed(mm2 / 100, 2)} cm²`,
   finding: (finding) => finding.message,
   words: {
     machine: 'Machine', material: 'Material', size: 'Size', parts: 'Parts', weight: 'Weight', printed: 'Printed', picture: 'The path of the beam, with order and direction',
