@@ -17,9 +17,9 @@ const CLIPPY = ['clippy', '--locked', '--all-targets', '--features', 'png', ...D
 const FORMAT = command('Rust formatting', 'cargo', ['fmt', '--check']);
 const TESTS = command('Rust tests', 'cargo', ['test', '--locked', '--features', 'png', '--no-fail-fast']);
 
-/** Nothing runs the benches here, so that at least they must compile. */
 const LINTS = [
   ['clippy', CLIPPY],
+  // Nothing runs the benches here, so that at least they must compile.
   ...['intake', 'solve'].map((bench) => [
     `bench ${bench} compiles`,
     ['check', '--locked', '--all-targets', '--manifest-path', join(ROOT, 'benches', bench, 'Cargo.toml'), '--target-dir', COMPILING],

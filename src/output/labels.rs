@@ -18,12 +18,12 @@ pub(super) fn numbers(entries: &[DVec2], picture: &Aabb, gap: f64, height: f64) 
         let (left, below) = (entry.x - gap - size.x, entry.y - gap - size.y);
         let (right, above) = (entry.x + gap, entry.y + gap);
         let corners = [(right, above), (left, above), (right, below), (left, below)];
-        let corner = corners.map(DVec2::from).into_iter().find(|&c| {
-            let room = Aabb::of(c).with(c + size);
-            picture.contains_box(&room) && !taken.iter().any(|other| other.overlaps(&room))
-        })?;
-        taken.push(Aabb::of(corner).with(corner + size));
-        Some(corner)
+        let rooms = corners.map(DVec2::from).map(|corner| Aabb::of(corner).with(corner + size));
+        let is_free =
+            |room: &Aabb| picture.contains_box(room) && !taken.iter().any(|other| other.overlaps(room));
+        let room = rooms.into_iter().find(is_free)?;
+        taken.push(room);
+        Some(room.min)
     };
     entries.iter().enumerate().map(place).collect()
 }
