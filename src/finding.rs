@@ -3,10 +3,7 @@
 //! No stage drops anything silently. Whatever it skips, changes, guesses or doubts becomes a finding with a code for
 //! programs, a sentence for people, and the layer, the entity's handle and the place it concerns.
 
-mod numbers;
 mod phrases;
-
-pub(crate) use numbers::short;
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};

@@ -103,6 +103,7 @@ pub mod job;
 pub mod joint;
 pub mod lead;
 pub mod machine;
+mod number;
 mod order;
 pub mod output;
 pub mod plan;

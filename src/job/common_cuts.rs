@@ -1,6 +1,7 @@
 //! Findings on common cuts: what is saved by cutting a pierce group as one.
 
-use crate::finding::{Code, Finding, Severity, short};
+use crate::finding::{Code, Finding, Severity};
+use crate::number::fixed;
 use crate::problem::{Item, Problem};
 use crate::sheet::{PierceGroup, Sheet};
 
@@ -18,7 +19,7 @@ fn finding(group: &PierceGroup) -> Finding {
     let contours = group.contours.len();
     let message = format!(
         "{contours} contours share cuts and are cut as one, with 1 piercing instead of {contours}: {} m are cut once instead of twice.",
-        short(shared / 1000.0),
+        fixed(shared / 1000.0, 3),
     );
     let finding = Finding::new(Code::CommonCut, Severity::Info, message);
     let count = u32::try_from(contours).unwrap_or(u32::MAX);

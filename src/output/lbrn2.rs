@@ -14,11 +14,11 @@
 
 use super::cuts::{Cut, closes, cuts};
 use super::gcode::OutputError;
-use super::number::{Fixed, fixed};
 use super::process::CutProcess;
 use super::sheet_facts::SheetFacts;
 use crate::geometry::{Arc, DVec2, Segment, arcs, math};
 use crate::machine::Profile;
+use crate::number::{Fixed, fixed};
 use crate::plan::{Move, Plan};
 use std::f64::consts::PI;
 use std::fmt::Write as _;

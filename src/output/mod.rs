@@ -13,7 +13,6 @@ mod json;
 mod kind;
 mod labels;
 mod lbrn2;
-mod number;
 #[cfg(feature = "png")]
 pub mod png;
 mod process;

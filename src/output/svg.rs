@@ -10,10 +10,10 @@
 
 use super::cuts::{Cut, closes, contour_cuts};
 use super::labels;
-use super::number::{Fixed, fixed};
 use super::sheet_facts::SheetFacts;
 use crate::geometry::{Aabb, DVec2, Segment, arcs};
 use crate::machine::{CornerKind, Profile};
+use crate::number::{Fixed, fixed};
 use crate::plan::{Move, Plan};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;

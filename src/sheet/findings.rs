@@ -2,9 +2,10 @@
 
 use super::model::{Contour, Operation};
 use crate::drawing::Drawing;
-use crate::finding::{Code, Finding, Findings, Severity, short};
+use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::DVec2;
 use crate::machine::FarOut;
+use crate::number::fixed;
 use rustc_hash::FxHashSet;
 
 /// A finding about the shape with index `index`.
@@ -40,7 +41,7 @@ pub(super) fn open_contours(
         let message = format!(
             "This contour of {} mm does not close: it is cut as an open line and frees no part. Close it in the \
              drawing, or raise the joining tolerance.",
-            short(c.length)
+            fixed(c.length, 3)
         );
         let (code, at) = (Code::OpenContour, c.path.start());
         findings.push(shape(drawing, c.first_shape, code, Severity::Warning, message, at));

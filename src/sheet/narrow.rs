@@ -12,8 +12,9 @@
 use super::findings;
 use super::model::{Contour, Operation};
 use crate::drawing::Drawing;
-use crate::finding::{Code, Finding, Findings, Severity, short};
+use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path};
+use crate::number::fixed;
 use std::f64::consts::PI;
 
 /// Width below which a contour is reported while no machine is known, mm: about the kerf of the finest common cutting lasers.
@@ -87,7 +88,7 @@ impl Limit {
         };
         format!(
             "This contour is {} mm wide at its widest place, {limit}. Widen it, or remove it from the cut.",
-            short(width)
+            fixed(width, 3)
         )
     }
 }

@@ -7,8 +7,8 @@
 use super::facts::Facts;
 use super::names::{self, Hint};
 use crate::dxf::header::Header;
-use crate::finding::short;
 use crate::geometry::math;
+use crate::number::fixed;
 
 /// Smallest and largest extent of a drawing that raises no doubt, mm. Only 2 % of real drawings are smaller, most of
 /// them in another unit than they say; no common machine has a bed above 6 m.
@@ -100,7 +100,9 @@ impl Weighed {
                 weight += 0.5;
             }
         }
-        let sizes = |list: &[f64]| list.iter().take(2).map(|&d| short(d)).collect::<Vec<_>>().join(", ");
+        let sizes = |list: &[f64]| {
+            list.iter().take(2).map(|&d| fixed(d, 3).to_string()).collect::<Vec<_>>().join(", ")
+        };
         let reason = match weight > 0.0 {
             true if !imperial.is_empty() => {
                 format!("holes of {} are drill sizes in inches", sizes(&imperial))

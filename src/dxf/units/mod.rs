@@ -11,7 +11,8 @@ mod names;
 
 use super::file::File;
 use crate::drawing::{Unit, Units, UnitsSource};
-use crate::finding::{Code, Finding, Severity, short};
+use crate::finding::{Code, Finding, Severity};
+use crate::number::fixed;
 use evidence::{PLAUSIBLE_SIZE, Weighed};
 use facts::Facts;
 
@@ -143,6 +144,6 @@ fn extent(unit: Unit, size: f64) -> String {
     } else if mm >= 100.0 {
         format!("{mm:.0} mm")
     } else {
-        format!("{} mm", short(mm))
+        format!("{} mm", fixed(mm, 3))
     }
 }

@@ -6,10 +6,10 @@
 //!
 //! Source: Autodesk, DXF Reference (R2000); ezdxf, "DXF File Structure", section "Minimal DXF Content".
 
-use super::super::number::fixed;
 use super::layers::Layers;
 use super::tags::{DECIMALS, Tags};
 use crate::geometry::DVec2;
+use crate::number::fixed;
 
 /// Handle of the block record of model space, which owns every entity.
 pub(super) const MODEL_SPACE: &str = "17";

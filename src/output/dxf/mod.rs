@@ -18,10 +18,10 @@ mod layers;
 mod tags;
 
 use super::cuts::{closes, cuts};
-use super::number::fixed;
 use super::sheet_facts::{LayerFacts, SheetFacts};
 use crate::geometry::{Aabb, Arc, DVec2, Segment, arcs, math};
 use crate::machine::Settings;
+use crate::number::fixed;
 use crate::plan::Plan;
 use layers::Layers;
 use std::f64::consts::PI;

@@ -1,8 +1,8 @@
 //! The values of the placeholders in a dialect's header and footer: what a program says about itself.
 
-use super::super::number::fixed;
 use crate::machine::Profile;
 use crate::machine::dialect::{Dialect, FileUnit};
+use crate::number::fixed;
 use crate::plan::Plan;
 
 /// What the program says about the job; a name alone is enough.

@@ -11,7 +11,6 @@
 //!
 //! Every motion, as written, lies within 0.002 mm of its element, or within the dialect's tolerance of chords.
 
-use super::super::number::{Fixed, fixed, power_of_ten};
 use super::super::process::CutProcess;
 use super::beam::{Beam, filled};
 use super::facts::Facts;
@@ -20,6 +19,7 @@ use super::text::Lines;
 use crate::geometry::{Arc, DVec2, Segment, arcs};
 use crate::machine::dialect::{Dialect, Pierce, PierceBy, PowerBy};
 use crate::machine::{Lift, Start};
+use crate::number::{Fixed, fixed, power_of_ten};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 

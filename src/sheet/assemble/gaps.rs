@@ -2,8 +2,9 @@
 
 use super::ends::Ends;
 use super::junctions::Branch;
-use crate::finding::{Code, Findings, Severity, short};
+use crate::finding::{Code, Findings, Severity};
 use crate::geometry::DVec2;
+use crate::number::fixed;
 use crate::sheet::cluster::cell;
 use crate::sheet::element::ROUNDING;
 use crate::sheet::source::Source;
@@ -128,7 +129,7 @@ fn near_misses(source: Source, ends: &Ends, free: &[u32], tolerance: f64, findin
         let message = format!(
             "A gap of {} mm is left open: it is wider than the joining tolerance of {tolerance} mm. \
              Raise the tolerance to close it.",
-            short(gap)
+            fixed(gap, 3)
         );
         let at = (ends.point[e as usize] + ends.point[o as usize]) * 0.5;
         let shape = ends.shape[e as usize];

@@ -1,8 +1,9 @@
 //! Findings about what cleaning removed, one per shape.
 
 use super::remainder::Remainder;
-use crate::finding::{Code, Finding, Findings, Severity, short};
+use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::Path;
+use crate::number::fixed;
 use crate::sheet::element::Element;
 use crate::sheet::findings::{count, plural};
 use crate::sheet::source::Source;
@@ -55,7 +56,8 @@ fn lost(source: Source, elements: &[Element], kept: &[Remainder]) -> Option<Find
     } else if gone == elements.len() {
         (Code::OverlapRemoved, format!("This {kind} lies wholly along other lines: it is cut once."))
     } else {
-        let text = format!("{} mm of this {kind} lie along other lines: they are cut once.", short(length));
+        let text =
+            format!("{} mm of this {kind} lie along other lines: they are cut once.", fixed(length, 3));
         (Code::OverlapRemoved, text)
     };
     let at = element.segment.at(first_loss(loss));

@@ -3,8 +3,9 @@
 use super::super::findings::{self, count, plural};
 use super::super::model::Contour;
 use crate::drawing::Drawing;
-use crate::finding::{Code, Finding, Severity, short};
+use crate::finding::{Code, Finding, Severity};
 use crate::geometry::DVec2;
+use crate::number::fixed;
 
 /// Reason a contour keeps its drawn line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,7 +47,7 @@ pub(super) fn keeps_drawn_line(drawing: &Drawing, contour: &Contour, reason: Rea
             format!(
                 "Only {} mm lie between this contour and another one, less than the kerf: both keep their drawn lines, and \
                  parts come out smaller by half a kerf. Lay them out {width} mm apart or more.",
-                short(gap)
+                fixed(gap, 3)
             ),
             Some(at),
         ),
@@ -82,7 +83,7 @@ pub(super) fn border(drawing: &Drawing, border: &Contour) -> Finding {
 /// Reports lines that now coincide.
 pub(super) fn cut_once(length: f64, at: DVec2) -> Finding {
     let message =
-        format!("Parts one kerf apart: {} mm between them are cut once instead of twice.", short(length));
+        format!("Parts one kerf apart: {} mm between them are cut once instead of twice.", fixed(length, 3));
     Finding::new(Code::OverlapRemoved, Severity::Info, message).at(at)
 }
 

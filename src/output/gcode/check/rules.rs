@@ -1,6 +1,5 @@
 //! What a program must keep to: rules of every controller, and agreement with its machine and its plan.
 
-use super::super::super::number::power_of_ten;
 use super::expected::Expected;
 use super::problem::{Code, Problems};
 use super::reader::{Event, Program};
@@ -8,6 +7,7 @@ use super::report::Figures;
 use crate::finding::Severity;
 use crate::machine::Profile;
 use crate::machine::dialect::{Dialect, PierceBy};
+use crate::number::power_of_ten;
 
 /// Largest difference of seconds from the plan, as a fraction and in s. Rounding of coordinates and dwells explains less;
 /// a wait in the wrong unit is far more.

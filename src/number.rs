@@ -1,5 +1,5 @@
-//! Formats numbers in the same way for every format: fixed decimals, no trailing zeros, a decimal point, no exponent,
-//! no "-0".
+//! Writes numbers in the same way in sentences and in every format: fixed decimals, no trailing zeros, a decimal point, no
+//! exponent, no "-0".
 //!
 //! The digits come from the standard library's exact decimal formatting, so they are the same on every target.
 
@@ -7,19 +7,19 @@ use std::fmt::{self, Display};
 
 /// A number that is formatted with at most `decimals` decimals.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Fixed {
+pub(crate) struct Fixed {
     value: f64,
     decimals: usize,
 }
 
 /// `value` with at most `decimals` decimals: `fixed(2.50, 3)` reads `2.5`, `fixed(-0.0001, 3)` reads `0`.
-pub(super) fn fixed(value: f64, decimals: usize) -> Fixed {
+pub(crate) fn fixed(value: f64, decimals: usize) -> Fixed {
     debug_assert!(value.is_finite(), "a number without a decimal form reached an output");
     Fixed { value, decimals }
 }
 
 /// Ten to the power of a number of decimals: the points of the grid in one unit.
-pub(super) fn power_of_ten(decimals: u32) -> f64 {
+pub(crate) fn power_of_ten(decimals: u32) -> f64 {
     (0..decimals).fold(1.0, |n, _| n * 10.0)
 }
 
