@@ -63,16 +63,11 @@ function inDegrees(rule: string, { least, most, unit }: KerfwayError['params']):
 
 const kebab = (name: string) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 
-/** The option that asks for each lever. */
-const LEVERS: Readonly<Record<string, string>> = {
-  moving_pierce: 'moving-pierce', lift: 'lift', fly: 'fly', chains: 'chains', bridges: 'bridges', common_cuts: 'shared-cuts', corners: 'corners', tips: 'tips', heat: 'heat',
-};
-
 /** A sentence of the planner about levers of a machine, which names those that were asked for by their options. */
 export function leversAsWritten(values: Words['values'], sentence: string): string {
   const named = sentence.replace(/\blevers\.(\w+)\b(?!\.\w)/g, (field, lever: string) => {
-    const option = LEVERS[lever];
-    return option !== undefined && values[option] !== undefined ? `--${option}` : field;
+    const option = lever === 'common_cuts' ? 'shared-cuts' : lever.replaceAll('_', '-');
+    return values[option] === undefined ? field : `--${option}`;
   });
   return named === sentence ? sentence : named.replace(/^The machine has (\S+) and (\S+)\. /, '$1 and $2 contradict each other. ');
 }
