@@ -2,7 +2,7 @@
 //
 //     check FOLDER                       checks the plans of a folder with check.py, which needs Python and nothing else
 //     solve FOLDER [--seconds S]         writes Kerfway's plans into a folder [--only NAME] [--seed N] [--track T] [--prove S]
-//     trace [--only NAME]                writes how our values fall over the seconds into `traces`, for the plots of the site
+//     trace [--only NAME] [--seconds S]  writes how our values and bounds change over the seconds into `traces`, for the plots of the site
 //     compare FOLDER [--only NAME]       writes the plans of other programs into folders below, those that are installed [--by PROGRAM]
 //     keep FOLDER                        takes the plans of a folder that are sound and better into `best`
 //     generate FOLDER --seed N           writes fresh instances and our plans for them [--count K] [--seconds S]
@@ -29,13 +29,15 @@ const COMMANDS = {
       console.log(`${entry.name.padEnd(24)} ${plan.by}, ${seconds} s, lower bound ${bound.toFixed(3)}`);
     }
   },
-  async trace({ only, seconds, seed }) {
+  async trace({ only, track, seconds, seed }) {
     const { solved } = await import('./solve.mjs');
     mkdirSync(join(HERE, 'traces'), { recursive: true });
-    for (const { entry, instance } of instances({ only })) {
-      const { trace } = await solved(instance, { seconds }, seed);
-      writeFileSync(join(HERE, 'traces', `${entry.name}.json`), `${JSON.stringify({ kerfway: trace })}\n`);
-      console.log(`${entry.name}: ${trace.length} values`);
+    for (const { entry, instance } of instances({ only, track })) {
+      const { trace } = await solved(instance, { seconds, prove: { seconds } }, seed);
+      // Tours of GTSPLIB have none.
+      if (trace === undefined) continue;
+      writeFileSync(join(HERE, 'traces', `${entry.name}.json`), `${JSON.stringify({ seconds, ...trace })}\n`);
+      console.log(`${entry.name}: ${trace.values.length} values, ${trace.bounds.length} bounds`);
     }
   },
   async compare({ folder, only, by, seconds }) {

@@ -1,8 +1,9 @@
-// The benchmark as static pages: a table for each track, and the gap over time for instances whose plans were written at several times.
+// The benchmark as static pages: a table for each track, and the gap over time of the instances that have a trace.
 
-import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { HERE, listed } from './instances.mjs';
+import { plot } from './plot.mjs';
 
 const TRACKS = {
   CCP: 'Continuous cutting: each contour in one go, from any point',
@@ -39,36 +40,14 @@ const row = (cells) => `<tr>${cells.map((c) => `<td>${c}</td>`).join('')}</tr>`;
 
 const escaped = (text) => String(text).replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 
-/** Gap to the best known over seconds, from traces/NAME.json: [[seconds, value], ...] of each program. */
+/** Plots of all instances that have a trace. */
 function curves() {
-  const from = join(HERE, 'traces');
-  if (!existsSync(from)) return '';
-  const best = new Map(listed().instances.map((e) => [e.name, e.best?.value]));
-  const plots = readdirSync(from).sort().map((file) => {
-    const name = file.replace('.json', '');
-    return plot(name, JSON.parse(readFileSync(join(from, file), 'utf8')), best.get(name));
+  const plots = listed().instances.flatMap(({ name, best }) => {
+    const trace = join(HERE, 'traces', `${name}.json`);
+    return best && existsSync(trace) ? [plot(name, JSON.parse(readFileSync(trace, 'utf8')), best.value)] : [];
   });
-  return `<h2>Gap over time</h2>\n<p>Per cent above the best known value over seconds, both on logarithmic scales.</p>\n${plots.join('\n')}`;
-}
-
-const [WIDTH, HEIGHT] = [460, 260];
-/** Seconds, and per cent, at the ends of the axes. */
-const [SECONDS, PER_CENT] = [[0.1, 100], [0.01, 100]];
-
-function plot(name, programs, best) {
-  const across = (s) => 50 + ((WIDTH - 130) * Math.log(s / SECONDS[0])) / Math.log(SECONDS[1] / SECONDS[0]);
-  const up = (g) => HEIGHT - 30 - ((HEIGHT - 50) * Math.log(Math.max(g, PER_CENT[0]) / PER_CENT[0])) / Math.log(PER_CENT[1] / PER_CENT[0]);
-  const marks = [
-    ...[0.1, 1, 10, 100].map((s) => `<text x="${across(s)}" y="${HEIGHT - 12}" text-anchor="middle">${s} s</text>`),
-    ...[0.01, 0.1, 1, 10, 100].map((g) => `<text x="44" y="${up(g) + 4}" text-anchor="end">${g} %</text><path class="grid" d="M50 ${up(g)}H${WIDTH - 80}"/>`),
-  ];
-  const lines = Object.entries(programs).map(([program, points], k) => {
-    const steps = points.map(([s, value]) => [across(Math.min(Math.max(s, SECONDS[0]), SECONDS[1])), up(100 * (value / best - 1))]);
-    const [x, y] = steps.at(-1);
-    const d = steps.map(([a, b], i) => (i === 0 ? `M${a.toFixed(1)} ${b.toFixed(1)}` : `H${a.toFixed(1)}V${b.toFixed(1)}`)).join('');
-    return `<path class="line c${k}" d="${d}H${WIDTH - 80}"/><text class="c${k}" x="${Math.max(x, WIDTH - 80) + 4}" y="${y + 4}">${escaped(program)}</text>`;
-  });
-  return `<figure><figcaption>${name}</figcaption><svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label="Gap over time on ${name}">${marks.join('')}${lines.join('')}</svg></figure>`;
+  return `<h2>Gap over time</h2>\n<p>How far Kerfway's plan is above the best known value, and how far the lower bound is below it, in per cent over seconds,
+both on logarithmic scales: search and bound beside each other in wasm, in a thread each.</p>\n${plots.join('\n')}`;
 }
 
 function page(body) {
@@ -85,7 +64,7 @@ th { color: var(--muted); font-weight: 500 }
 figure { display: inline-block; margin: 0 1rem 1rem 0; width: min(460px, 100%) }
 svg text { font: 12px system-ui, sans-serif; fill: var(--muted) }
 svg .grid { stroke: var(--line) } svg .line { fill: none; stroke-width: 2 }
-.c0 { stroke: #2f7ed8 } .c1 { stroke: #d8662f } .c2 { stroke: #2fa36b } .c3 { stroke: #a347c9 } .c4 { stroke: #b58900 }
+svg .value { stroke: #2f7ed8 } svg .bound { stroke: #d8662f; stroke-dasharray: 5 3 }
 svg text[class] { stroke: none }
 </style>
 <h1>A benchmark of cutting paths</h1>

@@ -8,6 +8,7 @@ import { pathToFileURL } from 'node:url';
 import { gunzipSync } from 'node:zlib';
 import { DIST, ROOT } from '../scripts/tools.mjs';
 import { asDxf } from './drawing.mjs';
+import { Trace } from './trace.mjs';
 
 /** A machine without anything but what an instance charges for. */
 function machine({ track, cost, home, closed }) {
@@ -20,29 +21,26 @@ function machine({ track, cost, home, closed }) {
 }
 
 /**
- * A plan for an instance, with its lower bound if there is one, and the values found on the way with their seconds; budget: `seconds`
- * or `moves`. `prove`: the budget of a thread of its own that works on the bound, `seconds` or `work`.
+ * A plan for an instance, with its lower bound if there is one, and a trace of an instance that is cut; budget: `seconds` or `moves`.
+ * `prove`: the budget of a thread of its own that works on the bound, `seconds` or `work`.
  */
 export async function solved(instance, { prove, ...budget }, seed = 1) {
   if (instance.gtsplib) return tour(instance, budget, seed);
   const reading = { keepBorder: true, commonCuts: 'off', joinTolerance: 1e-5, copyTolerance: 1e-5, tolerance: 1e-5 };
   // The default method stops anywhere on a contour; the method of the paper can be told to stop at ends of lines and arcs only.
   const at = instance.track === 'ECP' ? { method: 'partition-tree', parameters: { nodes: 'element-ends' } } : { method: 'tour-tree' };
-  const trace = [];
-  const onProgress = ({ seconds, summary: { air_time: air, pierce_time: pierce } }) => {
-    if (trace.at(-1)?.[1] !== air + pierce) trace.push([Number(seconds.toFixed(3)), air + pierce]);
-  };
   const planner = await (await kerfway()).createPlanner();
   try {
     await planner.load(Buffer.from(asDxf(instance)), 'instance.dxf', reading);
-    const run = planner.plan({ machine: machine(instance), ...at, seed, ...budget }, onProgress);
+    const trace = new Trace();
+    const run = planner.plan({ machine: machine(instance), ...at, seed, ...budget }, ({ summary }) => trace.found(summary));
     await run.started;
-    const proof = prove === undefined ? null : planner.prove(prove).done;
-    await Promise.all([run.done, proof]);
+    const proof = prove === undefined ? null : planner.prove(prove, (seconds) => trace.proven(seconds)).done;
+    const [, proven] = await Promise.all([run.done, proof]);
     const { moves, summary } = JSON.parse(await planner.output('json'));
-    const other = summary.total_time - summary.air_time - summary.pierce_time;
-    const bound = Math.max(0, (summary.lower_bound ?? 0) - other, ((await proof)?.seconds ?? 0) - other);
-    return { trace, plan: { by: `kerfway ${at.method}, seed ${seed}`, moves }, bound };
+    trace.found(summary);
+    trace.proven(proven?.seconds ?? 0);
+    return { trace, plan: { by: `kerfway ${at.method}, seed ${seed}`, moves }, bound: trace.bound };
   } finally {
     planner.close();
   }

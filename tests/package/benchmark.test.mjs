@@ -9,6 +9,7 @@ import { describe, it } from 'node:test';
 import { gunzipSync } from 'node:zlib';
 import { generated } from '../../benchmark/generate.mjs';
 import { HERE, listed } from '../../benchmark/instances.mjs';
+import { plot } from '../../benchmark/plot.mjs';
 import { solved } from '../../benchmark/solve.mjs';
 
 const python = spawnSync('python3', ['--version']).status === 0;
@@ -115,7 +116,21 @@ describe('the reference checker', NEEDS_PYTHON, () => {
     const [alone, beside] = [await solved(instance, { moves: 20_000 }), await solved(instance, { moves: 20_000, prove: { work: 100 } })];
     const value = Number(checked(t, instance, beside.plan).text);
     assert.ok(beside.bound > 1.2 * alone.bound && beside.bound <= value, `${alone.bound}, ${beside.bound} of ${value}`);
+    // The trace: each value is below the one before, each bound above it, and the last ones are those of the plan.
+    const { values, bounds } = beside.trace;
+    for (const [list, sign] of [[values, -1], [bounds, 1]]) {
+      assert.ok(list.length > 1);
+      for (const [k, [seconds, v]] of list.entries()) assert.ok(k === 0 || (seconds >= list[k - 1][0] && sign * (v - list[k - 1][1]) > 0), JSON.stringify(list));
+    }
+    assert.ok(Math.abs(values.at(-1)[1] - value) < 1e-5 && bounds.at(-1)[1] === beside.bound);
   });
+});
+
+it('plots a trace on logarithmic scales, up to the end of its run', () => {
+  const svg = plot('two-steps', { seconds: 10, values: [[0.1, 200], [1, 100]], bounds: [[0.1, 0], [1, 99]] }, 100);
+  const lines = [...svg.matchAll(/<path class="line (\w+)" d="([^"]+)"/g)].map(([, what, d]) => [what, d]);
+  // Seconds from 0.01 to 100 are at 50 to 400, per cent from 100 to 0.01 at 20 to 230.
+  assert.deepEqual(lines, [['value', 'M137.5 20H225V230H312.5'], ['bound', 'M137.5 20H225V125H312.5']]);
 });
 
 it('instances made by seed are the same everywhere', () => {
