@@ -26,10 +26,11 @@ impl Union {
         i
     }
 
-    /// Makes two sets one.
-    pub(crate) fn join(&mut self, a: u32, b: u32) {
+    /// Makes two sets one, and says whether they were two.
+    pub(crate) fn join(&mut self, a: u32, b: u32) -> bool {
         let (a, b) = (self.root(a), self.root(b));
         self.0[a.max(b) as usize] = a.min(b);
+        a != b
     }
 
     /// For each member the number of its set; sets are numbered in order of their first member.

@@ -4,30 +4,19 @@
 use super::net::Item;
 use super::pairs::{Pairs, box_seconds};
 use super::prices::Prices;
+use crate::geometry::Union;
 use crate::order::{real, sort_by};
 
 /// The minimum tree over the known pairs without home, or a forest if they do not connect all items.
 pub(super) fn over_pairs(pairs: &Pairs, first: usize, cost: &[f64]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..pairs.list.len()).filter(|&e| pairs.list[e].items[0] >= first).collect();
     sort_by(&mut order, |&e| [real(cost[e]), e as u64, 0]);
-    let mut group: Vec<usize> = (0..pairs.of.len()).collect();
-    let mut tree = Vec::with_capacity(group.len());
-    for e in order {
-        let [a, b] = pairs.list[e].items.map(|i| root(&mut group, i));
-        if a != b {
-            group[a] = b;
-            tree.push(e);
-        }
-    }
-    tree
-}
-
-fn root(group: &mut [usize], mut item: usize) -> usize {
-    while group[item] != item {
-        group[item] = group[group[item]];
-        item = group[item];
-    }
-    item
+    let mut joined = Union::new(pairs.of.len());
+    order.retain(|&e| {
+        let [a, b] = pairs.list[e].items.map(|i| u32::try_from(i).unwrap_or(u32::MAX));
+        joined.join(a, b)
+    });
+    order
 }
 
 /// The two cheapest legs of home, or one of each end of an open path. They go to different items unless there is only one

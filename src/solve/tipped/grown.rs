@@ -57,7 +57,9 @@ fn kerfs(problem: &Problem, nodes: std::ops::Range<NodeId>) -> Vec<ItemId> {
 fn fields(kerfs: &[Vec<ItemId>]) -> Vec<u32> {
     let mut fields = Union::new(kerfs.len());
     for (item, beside) in (0..).zip(kerfs) {
-        beside.iter().for_each(|&other| fields.join(item, other));
+        for &other in beside {
+            fields.join(item, other);
+        }
     }
     fields.numbered()
 }

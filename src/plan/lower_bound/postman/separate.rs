@@ -2,6 +2,7 @@
 
 use super::StopBound;
 use super::cut::Partition;
+use crate::geometry::Union;
 use crate::order::{real, sort_by};
 use std::collections::BTreeMap;
 
@@ -241,27 +242,20 @@ impl StopBound {
 
 /// The part of each place after these merges, from 1 on.
 fn numbered(place: &[usize], merges: &[[usize; 2]]) -> Vec<u32> {
-    let mut group: Vec<usize> = (0..place.len()).collect();
-    fn root(group: &mut [usize], mut v: usize) -> usize {
-        while group[v] != v {
-            group[v] = group[group[v]];
-            v = group[v];
-        }
-        v
-    }
+    let id = |p: usize| u32::try_from(p).unwrap_or(u32::MAX);
+    let mut joined = Union::new(place.len());
     for &[p, q] in merges {
-        let [a, b] = [p, q].map(|v| root(&mut group, v));
-        group[b] = a;
+        joined.join(id(p), id(q));
     }
     let (mut number, mut next) = (vec![0_u32; place.len()], 0);
     let mut part = vec![0_u32; place.len()];
     for &p in place.iter().filter(|p| **p != NOWHERE) {
-        let r = root(&mut group, p);
-        if number[r] == 0 {
+        let root = joined.root(id(p)) as usize;
+        if number[root] == 0 {
             next += 1;
-            number[r] = next;
+            number[root] = next;
         }
-        part[p] = number[r];
+        part[p] = number[root];
     }
     part
 }
