@@ -74,6 +74,7 @@ mod selection;
 mod sharp_corners;
 mod sheet;
 mod skeleton;
+mod slots_bound;
 mod solve_exact;
 mod solve_partial;
 mod solve_search;

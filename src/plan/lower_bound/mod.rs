@@ -89,6 +89,8 @@ mod priced_cuts;
 mod prices;
 mod rounds;
 #[cfg(feature = "research")]
+mod scale;
+#[cfg(feature = "research")]
 mod shares;
 mod space;
 #[cfg(feature = "research")]

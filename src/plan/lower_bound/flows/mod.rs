@@ -51,6 +51,7 @@ use super::net::{homes, items};
 use super::order::Order;
 use super::pairs::Pairs;
 use super::prices::Prices;
+use super::scale::average_leg;
 use super::walk_certificate::{FlowCertificate, applies};
 use super::walks::Ground;
 use crate::problem::Problem;
@@ -224,7 +225,8 @@ impl FlowBound {
         if self.temperature == 0.0 {
             self.reduce();
             let value = self.look();
-            self.mean = (value / self.ground.items.len() as f64).max(1e-9);
+            let Ground { items, pairs, prices, .. } = &self.ground;
+            self.mean = average_leg(value / items.len() as f64, items, pairs, prices);
             self.temperature = HOT * self.mean;
         } else {
             self.look();

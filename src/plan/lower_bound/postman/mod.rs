@@ -49,6 +49,7 @@ use super::certificate::unit;
 use super::net::Item;
 use super::pairs::Pairs;
 use super::prices::Prices;
+use super::scale::average_leg;
 use super::stop_certificate::StopCertificate;
 use crate::problem::Problem;
 use cut::{Leg, Partition};
@@ -183,7 +184,7 @@ impl StopBound {
         bound.lay_out();
         bound.potential = bound.half_legs();
         bound.look_work = bound.look();
-        bound.mean = (bound.best / count as f64).max(1e-9);
+        bound.mean = average_leg(bound.best / count as f64, &items, &bound.pairs, &bound.prices);
         bound.temperature = HOT * bound.mean;
         bound.select();
         Some(bound)

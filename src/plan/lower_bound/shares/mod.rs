@@ -38,6 +38,7 @@ use super::certificate::{Certificate, Certified, applies};
 use super::net::{Item, bases, homes, items};
 use super::pairs::Pairs;
 use super::prices::Prices;
+use super::scale::average_leg;
 use crate::problem::Problem;
 use cut::{Cut, Leg};
 
@@ -180,7 +181,8 @@ impl ShareBound {
             bound.share_evenly(e);
         }
         let value = bound.look();
-        bound.mean = (value / bound.items.len() as f64).max(1e-9);
+        let paid = value / bound.items.len() as f64;
+        bound.mean = average_leg(paid, &bound.items, &bound.pairs, &bound.prices);
         bound.temperature = HOT * bound.mean;
         bound.select();
         bound.prove(value);
