@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { gunzipSync } from 'node:zlib';
 import { generated } from '../../benchmark/generate.mjs';
-import { HERE, listed } from '../../benchmark/instances.mjs';
+import { HERE, instances, listed } from '../../benchmark/instances.mjs';
 import { plot } from '../../benchmark/plot.mjs';
 import { solved } from '../../benchmark/solve.mjs';
 
@@ -124,6 +124,15 @@ describe('the reference checker', NEEDS_PYTHON, () => {
     }
     assert.ok(Math.abs(values.at(-1)[1] - value) < 1e-5 && bounds.at(-1)[1] === beside.bound);
   });
+});
+
+it('is given a bound for slots that stand closer to each other than they are long, whose first numbers are below 0', async () => {
+  const [{ instance }] = instances({ only: 'slots-2500-ccp' });
+  const contours = instance.contours.slice(1).filter(({ start: [x, y] }) => x < 385 && y < 155).map((c) => ({ ...c, inside: null }));
+  assert.ok(contours.length > 220, 'more than have a bound by walks');
+  const { trace, bound } = await solved({ ...instance, contours }, { moves: 100_000, prove: { work: 1000 } });
+  const value = trace.values.at(-1)[1];
+  assert.ok(bound > 0.4 * value && bound <= value, `${bound} of ${value}`);
 });
 
 it('plots a trace on logarithmic scales, up to the end of its run', () => {
