@@ -12,8 +12,8 @@ import { checkPackage, createPackageFromTarballData } from '@arethetypeswrong/co
 import { publint } from 'publint';
 import { install, pack, ROOT } from './support.mjs';
 
-/** kB, packed: four wasm files, the core and the writers once more in the single file and as text for `inline`, and the scripts. */
-const PACKED_BUDGET = 5500;
+/** kB, packed: four wasm files, the core and the writers once more in the single file and as text for `inline`, the scripts, and the list of changes. */
+const PACKED_BUDGET = 5520;
 
 describe('the published package', () => {
   let at, packed;
