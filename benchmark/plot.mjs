@@ -24,7 +24,8 @@ export function plot(name, { seconds, values, bounds }, best) {
   const below = bounds.map(([s, bound]) => [across(s), up(100 * (1 - bound / best))]);
   const [low, high] = [above, below].map((steps) => steps.at(-1)?.[1] ?? BOTTOM);
   // Where both lines end near each other, the label of the bound moves up.
-  const end = across(seconds);
+  // What a proof finds last may come a moment after the end.
+  const end = across(Math.max(seconds, ...[...values, ...bounds].map(([s]) => s)));
   const lines = [line('value', above, end, low), line('bound', below, end, Math.abs(low - high) < LABELS ? low - LABELS : high)];
   return `<figure><figcaption>${name}</figcaption><svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label="Value and lower bound over time on ${name}">${marks.join('')}${lines.join('')}</svg></figure>`;
 }
