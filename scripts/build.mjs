@@ -189,12 +189,16 @@ function compress() {
   for (const file of filesIn(APP)) writeFileSync(`${file}.br`, (onDemand(file) ? brotliCompressSync : smallest)(readFileSync(file)));
 }
 
-/** Short distances with a code each suit wasm, whose functions repeat what was near: 0.5 to 0.9 kB less of the core. Other files are smaller without. */
-const NEAR = { [constants.BROTLI_PARAM_NPOSTFIX]: 1, [constants.BROTLI_PARAM_NDIRECT]: 20 };
+/**
+ * How short distances are coded: with codes of their own they suit wasm, whose functions repeat what was near. Which of these suits the core best
+ * changes with every build, by up to half a kB, so all are tried. Other files are smaller without.
+ */
+const DISTANCES = [[0, 0], [0, 15], [1, 20], [1, 30]];
 
 function smallest(bytes) {
-  const [usual, near] = [brotliCompressSync(bytes), brotliCompressSync(bytes, { params: NEAR })];
-  return near.length < usual.length ? near : usual;
+  const { BROTLI_PARAM_NPOSTFIX: postfix, BROTLI_PARAM_NDIRECT: direct } = constants;
+  const tried = DISTANCES.map(([p, d]) => brotliCompressSync(bytes, { params: { [postfix]: p, [direct]: d } }));
+  return tried.reduce((least, other) => (other.length < least.length ? other : least));
 }
 
 function weigh() {
