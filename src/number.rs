@@ -14,7 +14,7 @@ pub(crate) struct Fixed {
 
 /// `value` with at most `decimals` decimals: `fixed(2.50, 3)` reads `2.5`, `fixed(-0.0001, 3)` reads `0`.
 pub(crate) fn fixed(value: f64, decimals: usize) -> Fixed {
-    debug_assert!(value.is_finite(), "a number without a decimal form reached an output");
+    debug_assert!(value.is_finite(), "a number without a decimal form is to be written");
     Fixed { value, decimals }
 }
 
