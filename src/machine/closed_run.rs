@@ -19,6 +19,7 @@ use super::process::Process;
 use super::profile::Profile;
 use super::ramp::seconds;
 use crate::geometry::Segment;
+use crate::order::{real, sort_by};
 
 /// A place nearer than this to an element's end is that end, mm, as in `geometry/path.rs`.
 const SNAP: f64 = 1e-9;
@@ -143,7 +144,7 @@ impl ClosedRun {
             if piece.speed2 < piece.top2.max(before.top2) {
                 let ramp = piece.speed2 / (2.0 * self.accel);
                 for along in [piece.start - ramp, piece.start + ramp] {
-                    least = least.min(self.extra(along - self.length * (along / self.length).floor()));
+                    least = least.min(self.extra(self.on_path(along)));
                 }
             }
         }
@@ -204,6 +205,28 @@ impl ClosedRun {
             (behind, d, left) = (previous, there, left - 1);
         }
         self.rounds * (change - self.stop).max(0.0)
+    }
+
+    /// Where [`ClosedRun::extra`] may not be concave: arc lengths along the path, ascending. Between two of them its slope does not rise (see
+    /// `least_stop`), so that it lies above each of its chords there. In a sharp corner it may be less than on both sides.
+    pub fn kinks(&self) -> Vec<f64> {
+        let n = self.pieces.len();
+        let slows = |(i, piece): &(usize, &Piece)| {
+            piece.sharp || piece.speed2 < piece.top2.max(self.pieces[(i + n - 1) % n].top2)
+        };
+        let of_piece = |(_, piece): (usize, &Piece)| {
+            let ramp = piece.speed2 / (2.0 * self.accel);
+            [piece.start - ramp, piece.start + ramp].map(|along| self.on_path(along))
+        };
+        let mut kinks: Vec<f64> = self.pieces.iter().enumerate().filter(slows).flat_map(of_piece).collect();
+        sort_by(&mut kinks, |&s| [real(s), 0, 0]);
+        kinks.dedup_by(|a, b| a.to_bits() == b.to_bits());
+        kinks
+    }
+
+    /// The same place, as an arc length on the path.
+    pub fn on_path(&self, along: f64) -> f64 {
+        along - self.length * (along / self.length).floor()
     }
 
     /// Least seconds of each stop on the way, one of which is part of [`ClosedRun::least`]. Negative if a stop saves a

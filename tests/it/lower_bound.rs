@@ -27,9 +27,7 @@ pub(crate) fn bound(problem: &Problem, upper: f64, work: u64, slice: u32) -> f64
 
 /// A problem whose contours are entered at their nodes only.
 pub(crate) fn at_nodes(mut problem: Problem) -> Problem {
-    for item in &mut problem.items {
-        (item.track, item.run) = (None, None);
-    }
+    problem.items.iter_mut().for_each(|i| i.track = None);
     problem
 }
 
@@ -162,13 +160,12 @@ fn entries_anywhere() {
 pub(crate) fn entered_anywhere(parts: usize, seed: u64) -> (Problem, f64) {
     let mut machine = machines(seed);
     machine.return_home = !seed.is_multiple_of(3);
-    let mut problem = problem_of(&nested_sheet(parts, seed), &machine);
-    problem.items.iter_mut().for_each(|i| i.run = None);
+    let problem = problem_of(&nested_sheet(parts, seed), &machine);
     let least = solve::exact(&at_nodes(sampled(&problem, 60))).unwrap().cost;
     (problem, least)
 }
 
-/// The same problem with this number of nodes on every track.
+/// The same problem with this number of nodes on every track, beside its own, which are the corners.
 pub(crate) fn sampled(problem: &Problem, count: u32) -> Problem {
     let mut out = problem.clone();
     out.nodes.clear();
@@ -181,11 +178,10 @@ pub(crate) fn sampled(problem: &Problem, count: u32) -> Problem {
                 let entry = track.at(along).unwrap();
                 out.nodes.push(Node { item: id, entry, exit: entry, along, reversed: false, twin });
             }
-        } else {
-            let old = item.nodes.start;
-            let nodes = problem.nodes[item.nodes.start as usize..item.nodes.end as usize].iter();
-            out.nodes.extend(nodes.map(|n| Node { twin: n.twin - old + first, ..*n }));
         }
+        let (old, new) = (item.nodes.start, NodeId::try_from(out.nodes.len()).unwrap());
+        let nodes = problem.nodes[item.nodes.start as usize..item.nodes.end as usize].iter();
+        out.nodes.extend(nodes.map(|n| Node { twin: n.twin - old + new, ..*n }));
         item.nodes = first..NodeId::try_from(out.nodes.len()).unwrap();
     }
     out

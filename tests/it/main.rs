@@ -23,6 +23,7 @@ mod dxf_entities;
 mod dxf_files;
 mod dxf_units;
 mod exclude;
+mod extra_stops;
 mod features_too_small;
 mod flow_bound;
 mod fly;

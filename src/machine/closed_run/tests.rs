@@ -113,6 +113,52 @@ fn extra_seconds_match_the_path_re_cut_to_start_there() {
     }
 }
 
+/// The lower bound replaces the extra seconds by straight functions below them.
+#[test]
+fn between_kinks_the_extra_seconds_lie_above_their_chords() {
+    let mut looked = 0;
+    for mut profile in presets() {
+        let free = profile.junction_deviation;
+        for (deviation, angle) in [(free, 0.0), (None, 0.0), (Some(0.4), 0.0), (free, 1.5), (None, 1.6)] {
+            profile.junction_deviation = deviation;
+            profile.sharp_corner = (angle > 0.0).then_some(SharpCorner { angle, time: 0.7 });
+            for (name, path) in shapes() {
+                let Some(run) = ClosedRun::new(&profile, profile.process(false), false, &path.segments)
+                else {
+                    continue;
+                };
+                let length = path.length();
+                let mut kinks = run.kinks();
+                assert!(
+                    kinks.is_sorted() && kinks.iter().all(|k| (0.0..=length).contains(k)),
+                    "{name}: {kinks:?}"
+                );
+                kinks.insert(0, 0.0);
+                kinks.push(length);
+                let every = (kinks.len() / 100).max(1);
+                for ends in kinks.windows(2).step_by(every).filter(|w| w[1] - w[0] > 1e-6) {
+                    let at = |share: f64| ends[0] + share * (ends[1] - ends[0]);
+                    // Chords of the whole stretch and of parts of it.
+                    for (a, b) in [(0.0, 1.0), (0.0, 0.5), (0.5, 1.0), (0.2, 0.3), (0.0, 0.01), (0.99, 1.0)] {
+                        let [from, to] = [a, b].map(|share| run.extra(run.on_path(at(share))));
+                        for share in [0.1, 0.35, 0.5, 0.8] {
+                            let (chord, real) =
+                                (from + share * (to - from), run.extra(at(a + share * (b - a))));
+                            assert!(
+                                real >= chord - 1e-9,
+                                "{} {name} {deviation:?} {angle} in {ends:?}, {a} to {b}: {real} under {chord}",
+                                profile.name
+                            );
+                            looked += 1;
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(looked > 10_000, "{looked}");
+}
+
 /// [`ClosedRun::least`] was less than the run from any entry, so that no job with corners was proven optimal to the end.
 #[test]
 fn some_entry_has_no_extra_seconds() {

@@ -56,8 +56,8 @@
 //!
 //! # The bound of the whole job
 //!
-//! It is the bound of travel plus what every plan pays: [`crate::problem::Item::fixed`]. The extra seconds of entries are
-//! never negative and left out, as are groups: both could only raise the bound.
+//! It is the bound of travel plus what every plan pays: [`crate::problem::Item::fixed`]. The extra seconds of entries (`extras.rs`) are part of the
+//! legs to and from a stop; those of contours that may be left are left out, as are those of groups: they could only raise the bound.
 //!
 //! Sources: Houck, Picard, Queyranne & Vemuganti (1980) for walks; Christofides, Mingozzi & Toth (1981) for the state
 //! spaces; Baldacci, Mingozzi & Roberti (2011) for the memory, Roberti & Mingozzi (2014) for letting it grow. Entries
@@ -67,6 +67,7 @@
 mod certificate;
 mod charges;
 mod cheap;
+mod extras;
 #[cfg(feature = "research")]
 mod flows;
 mod gather;

@@ -4,9 +4,10 @@
 //! together, 2 and 3, and so on). Between knots are pieces: a contour that may be entered anywhere is a ring of pieces, and a
 //! single node is a piece with one knot. Item 0 is home.
 
+use super::extras::Extras;
 use crate::geometry::{Aabb, DVec2, Path, Segment};
 use crate::order::{real, sort_by};
-use crate::problem::{self, Problem};
+use crate::problem::{self, NodeId, Problem};
 
 /// A stretch of a contour between two knots, followed at even speed.
 #[derive(Clone, Copy, Debug)]
@@ -17,6 +18,8 @@ pub(super) struct Piece {
     pub(super) ends: [DVec2; 2],
     /// Largest distance of a point of the piece from the point at the same share of its chord, mm.
     pub(super) off: f64,
+    /// Half of the extra seconds of stops on it, at its ends: a straight function below the real ones.
+    pub(super) halves: [f64; 2],
     /// The box around all of it.
     pub(super) around: Aabb,
     /// The arc length along the track where it ends, mm, which may be beyond the end of the track; 0 without a track.
@@ -31,6 +34,8 @@ pub(super) struct Item {
     /// Arrived at one knot of a pair, left from the other.
     pub(super) paired: bool,
     pub(super) pieces: Vec<Piece>,
+    /// Half of the extra seconds of a stop at each knot.
+    pub(super) halves: Vec<f64>,
     /// Arc length of each knot along the track, ascending; empty without a track.
     pub(super) along: Vec<f64>,
     track: Option<Track>,
@@ -43,6 +48,8 @@ struct Track {
     path: Path,
     /// Arc length at which each element starts, the whole length at the end.
     starts: Vec<f64>,
+    /// None if all stops take the same.
+    extras: Option<Extras>,
 }
 
 /// All items of a problem: home first, and for an open path a second one, wherever it ends. With a table home is the
@@ -54,7 +61,7 @@ pub(super) fn items(problem: &Problem) -> Vec<Item> {
         items.rotate_right(1);
         return items;
     }
-    let home = points(&[problem.home], false);
+    let home = points(&[problem.home], &[0.0], false);
     let mut items = if problem.closed { vec![home] } else { vec![home.clone(), home] };
     items.extend(contours);
     items
@@ -69,8 +76,10 @@ fn of_item(problem: &Problem, item: &problem::Item) -> Item {
     let nodes = &problem.nodes[item.nodes.start as usize..item.nodes.end as usize];
     if nodes.is_empty() {
         // A skipped contour: every tour visits it at home at no cost.
-        return points(&[problem.home], false);
+        return points(&[problem.home], &[0.0], false);
     }
+    // Stops of a contour that is left share what they cost, and those of pierce groups have seconds of their own.
+    let is_even = item.may_be_left() || item.is_pierce_group();
     if let Some(path) = &item.track {
         let mut along: Vec<f64> = nodes.iter().map(|n| n.along).collect();
         sort_by(&mut along, |&s| [real(s), 0, 0]);
@@ -79,27 +88,34 @@ fn of_item(problem: &Problem, item: &problem::Item) -> Item {
         for s in &path.segments {
             starts.push(starts[starts.len() - 1] + s.length());
         }
-        return ring(Track { path: path.clone(), starts }, &along);
+        let extras = item.uneven().filter(|_| !is_even).map(Extras::new);
+        return ring(Track { path: path.clone(), starts, extras }, &along);
     }
+    let half =
+        |id: NodeId| if is_even { 0.0 } else { 0.5 * item.extra(id, problem.nodes[id as usize].along) };
     if problem.table().is_some() || nodes.iter().all(|n| n.entry == n.exit) {
-        return points(&nodes.iter().map(|n| n.entry).collect::<Vec<_>>(), false);
+        let halves: Vec<f64> = item.nodes.clone().map(half).collect();
+        return points(&nodes.iter().map(|n| n.entry).collect::<Vec<_>>(), &halves, false);
     }
-    let ends: Vec<DVec2> = nodes
-        .iter()
-        .zip(item.nodes.clone())
-        .filter(|(n, id)| *id <= n.twin)
-        .flat_map(|(n, _)| [n.entry, n.exit])
-        .collect();
-    points(&ends, true)
+    let both = nodes.iter().zip(item.nodes.clone()).filter(|(n, id)| *id <= n.twin);
+    let ends: Vec<DVec2> = both.clone().flat_map(|(n, _)| [n.entry, n.exit]).collect();
+    let halves: Vec<f64> = both.flat_map(|(n, id)| [half(id).min(half(n.twin)); 2]).collect();
+    points(&ends, &halves, true)
 }
 
-pub(super) fn points(places: &[DVec2], paired: bool) -> Item {
-    let pieces: Vec<Piece> = places
-        .iter()
-        .enumerate()
-        .map(|(k, &p)| Piece { knots: [k; 2], ends: [p; 2], off: 0.0, around: Aabb::of(p), to: 0.0 })
-        .collect();
-    Item { knots: places.len(), paired, along: Vec::new(), track: None, around: hull(&pieces), pieces }
+/// An item with a knot at each of these places. `halves`: half of the extra seconds of a stop there.
+pub(super) fn points(places: &[DVec2], halves: &[f64], paired: bool) -> Item {
+    let piece = |(k, (&p, &half)): (usize, (&DVec2, &f64))| Piece {
+        knots: [k; 2],
+        ends: [p; 2],
+        off: 0.0,
+        halves: [half; 2],
+        around: Aabb::of(p),
+        to: 0.0,
+    };
+    let pieces: Vec<Piece> = places.iter().zip(halves).enumerate().map(piece).collect();
+    let (around, halves) = (hull(&pieces), halves.to_vec());
+    Item { knots: places.len(), paired, along: Vec::new(), track: None, around, pieces, halves }
 }
 
 /// A stretch of a track between the arc lengths of two knots. `to`: the same as `end`, or a lap more.
@@ -130,11 +146,13 @@ fn of_stretches(track: Track, stretches: &[Stretch]) -> Item {
         let ends = [at(s.start), at(s.end)];
         let off = track.off_chord(s.start, s.to, ends);
         let knots = [s.start, s.end].map(|x| along.partition_point(|&a| a < x));
-        Piece { knots, ends, off, around: Aabb::of(ends[0]).with(ends[1]).grown(off), to: s.to }
+        let halves = track.extras.as_ref().map_or([0.0; 2], |e| e.below(s.start, s.to, track.length()));
+        Piece { knots, ends, off, halves, around: Aabb::of(ends[0]).with(ends[1]).grown(off), to: s.to }
     };
     let pieces: Vec<Piece> = stretches.iter().map(piece).collect();
     let around = hull(&pieces);
-    Item { knots: along.len(), paired: false, along, track: Some(track), around, pieces }
+    let halves = along.iter().map(|&s| track.extras.as_ref().map_or(0.0, |e| e.half(s))).collect();
+    Item { knots: along.len(), paired: false, along, track: Some(track), around, pieces, halves }
 }
 
 /// Where the knots of each item start if they are counted through all items, and how many there are.

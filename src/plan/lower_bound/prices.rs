@@ -2,6 +2,7 @@
 
 use super::minorant::Minorant;
 use super::net::Piece;
+use crate::geometry::DVec2;
 use crate::problem::{NodeId, Problem, Table};
 
 /// Prices legs.
@@ -58,9 +59,10 @@ impl Prices {
         self.directed
     }
 
-    /// Lower bounds of the seconds between the ends of pieces of two items, see [`Minorant::corners`].
+    /// Lower bounds of the cost of a leg between the ends of pieces of two items: its seconds (see [`Minorant::corners`]) and half of the extra
+    /// seconds of both stops.
     pub(super) fn corners(&self, items: [usize; 2], p: &Piece, q: &Piece) -> [[f64; 2]; 2] {
-        match &self.table {
+        let seconds = match &self.table {
             Some(given) => {
                 let node = |item: usize, knot: usize| {
                     given.nodes[item] + NodeId::try_from(knot).unwrap_or(NodeId::MAX)
@@ -69,14 +71,20 @@ impl Prices {
                 [[given.table.cost(a, b); 2]; 2]
             }
             _ if self.end == Some(items[0]) => [[0.0; 2]; 2],
-            #[cfg(feature = "research")]
-            _ if self.none_below.is_some() => {
-                let corners = self.minorant.corners(p, q);
-                let small =
-                    corners.as_flattened().iter().any(|&s| self.none_below.is_some_and(|least| s < least));
-                if small { [[0.0; 2]; 2] } else { corners }
-            }
             _ => self.minorant.corners(p, q),
+        };
+        let corners = [0, 1].map(|i| [0, 1].map(|j| seconds[i][j] + p.halves[i] + q.halves[j]));
+        #[cfg(feature = "research")]
+        if self.table.is_none()
+            && self.none_below.is_some_and(|least| corners.as_flattened().iter().any(|&s| s < least))
+        {
+            return [[0.0; 2]; 2];
         }
+        corners
+    }
+
+    /// What a leg costs between two knots: its seconds, and half of the extra seconds of both stops.
+    pub(super) fn real(&self, places: [DVec2; 2], halves: [f64; 2]) -> f64 {
+        self.minorant.air().seconds(places[0], places[1]) + halves[0] + halves[1]
     }
 }

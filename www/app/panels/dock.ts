@@ -7,9 +7,8 @@ import { button, disable, h, setText } from '../core/dom.js';
 import { fileName } from '../core/file-name.js';
 import { seconds, short, unbroken } from '../core/format.js';
 import { doneSentence } from '../core/strings.js';
-import { PROVEN } from 'kerfway';
 import type { Session } from '../session/session.js';
-import type { State } from '../session/state.js';
+import { isOptimal, type State } from '../session/state.js';
 import { words } from '../core/words/index.js';
 
 export interface DockActions {
@@ -42,7 +41,7 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
     stop.hidden = !running;
     pause.hidden = phase !== 'planning';
     resume.hidden = phase !== 'paused';
-    more.hidden = phase !== 'done' || state.reason === 'exhausted';
+    more.hidden = phase !== 'done' || state.reason === 'exhausted' || isOptimal(state);
     gcode.hidden = phase !== 'done';
     disable(gcode, failsCheck(state) && !isOffBed(state) ? words.dock.fails : '');
     setText(gcodeLabel, words.result.kinds[state.machine?.takes ?? 'gcode']);
@@ -100,11 +99,6 @@ function isOffBed({ placing, planFindings }: State): boolean {
 
 function failsCheck({ programFails, machine }: State): boolean {
   return programFails && (machine?.takes ?? 'gcode') === 'gcode';
-}
-
-function isOptimal(state: State): boolean {
-  const gap = state.progress?.summary.gap;
-  return gap !== null && gap !== undefined && gap <= PROVEN;
 }
 
 /** Seconds of search since the last improvement. */

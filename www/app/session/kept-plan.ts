@@ -34,8 +34,12 @@ export function keptPlan(state: State): KeptPlan | null {
 /** What a search reports, with the search before it counted in. Its bound still holds: it is one of the same drawing and machine. */
 export function addedTo(kept: KeptPlan | null, progress: Progress): Progress {
   if (kept === null) return progress;
+  return withBound({ ...progress, moves: progress.moves + kept.moves, seconds: progress.seconds + kept.seconds }, kept.bound);
+}
+
+/** A progress with a bound that was proven elsewhere, s, if it is better than its own. One above the job's time is of another job. */
+export function withBound(progress: Progress, bound: number): Progress {
   const { summary } = progress;
-  const bound = Math.max(summary.lower_bound, kept.bound);
-  const proven = bound > 0 && bound <= summary.total_time ? { lower_bound: bound, gap: (summary.total_time - bound) / bound } : {};
-  return { ...progress, moves: progress.moves + kept.moves, seconds: progress.seconds + kept.seconds, summary: { ...summary, ...proven } };
+  if (bound <= summary.lower_bound || bound > summary.total_time) return progress;
+  return { ...progress, summary: { ...summary, lower_bound: bound, gap: (summary.total_time - bound) / bound } };
 }

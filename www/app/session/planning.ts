@@ -3,9 +3,11 @@
 import { activeContours, type DoneReason, isKerfwayError, type PlanHandle, type PlanOptions, type Progress } from 'kerfway';
 import { Latest } from '../core/latest.js';
 import { messageOf } from '../core/strings.js';
+import { isUsed } from '../offline/first-visit.js';
 import type { Catalog } from './catalog.js';
 import { addedTo, type KeptPlan } from './kept-plan.js';
 import { jobOptions } from './placing.js';
+import { isOptimal } from './state.js';
 import type { Store } from './store.js';
 
 /** Milliseconds without a keystroke before the plan starts again, so that it does not start at every digit. */
@@ -18,10 +20,13 @@ const SETTLE = 350;
 const WORKERS = Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), 4);
 
 /**
- * From this second on, a worker of its own works on a stronger bound than the search's, or proves that the path is optimal; the file for it is not
- * part of a first visit.
+ * So many seconds after it was started, a worker of its own begins to work on a stronger bound than the search's, or proves that the path is
+ * optimal, beside the search or after it. The file for it is not part of a first visit.
  */
 const PROVE_AFTER = 10;
+
+/** Seconds that it goes on after the search: for hundreds of contours, most of what can be proven is proven within a minute. */
+const PROVE_ON = 60;
 
 export class Planning {
   private readonly latest = new Latest();
@@ -29,6 +34,7 @@ export class Planning {
   /** The work on a stronger bound beside the search. */
   private prover: { close(): void } | null = null;
   private timer = 0;
+  private proofTimer = 0;
   /** The plan that the current search goes on from. */
   private before: KeptPlan | null = null;
 
@@ -108,7 +114,9 @@ export class Planning {
     const { phase, progress, search: { seconds } } = this.store.state;
     const { planner } = this.catalog;
     if (phase !== 'done' || !planner) return;
-    const isLatest = this.cancel();
+    // The proof goes on: the job is the same.
+    clearTimeout(this.proofTimer);
+    const isLatest = this.latest.begin();
     const run = planner.continue({ seconds }, this.reporter(isLatest));
     this.store.planningContinued((progress?.seconds ?? 0) + seconds);
     this.follow(run, isLatest);
@@ -123,17 +131,36 @@ export class Planning {
     };
   }
 
-  /** Higher bounds come with the progress of the plan. */
+  /** Works on a stronger bound. While the search runs, its progress brings what is proven. */
   private prove(): void {
     const { planner } = this.catalog;
-    if (this.prover !== null || this.run === null || planner === null) return;
-    const prover = planner.prove();
+    if (this.prover !== null || planner === null) return;
+    const prover = planner.prove({}, (seconds) => {
+      if (this.run === null) this.store.boundRaised(seconds);
+    });
     this.prover = prover;
     // Without it, the plan keeps the bound of its search.
     prover.done.catch(() => {});
   }
 
+  /** After the search, the proof goes on for a while: it says whether more searching can help. */
+  private proveOn(isLatest: () => boolean): void {
+    if (isOptimal(this.store.state)) {
+      this.stopProof();
+      return;
+    }
+    const searched = this.store.state.progress?.seconds ?? 0;
+    this.proofTimer = window.setTimeout(async () => {
+      await isUsed;
+      // Another file may be taking the place of this drawing.
+      if (!isLatest() || this.store.state.phase !== 'done') return;
+      this.prove();
+      this.proofTimer = window.setTimeout(() => this.stopProof(), 1000 * PROVE_ON);
+    }, 1000 * Math.max(0, PROVE_AFTER - searched));
+  }
+
   private stopProof(): void {
+    clearTimeout(this.proofTimer);
     this.prover?.close();
     this.prover = null;
   }
@@ -149,13 +176,14 @@ export class Planning {
       ({ reason, progress }) => {
         if (!isLatest()) return;
         this.run = null;
-        this.stopProof();
         this.store.planProgressed(addedTo(this.before, progress));
         this.store.planFinished(ended ?? reason);
+        this.proveOn(isLatest);
       },
       (error: unknown) => {
         if (!isLatest()) return;
         this.run = null;
+        this.stopProof();
         // A kept plan may not fit any more, because another version of the page reads the drawing differently.
         if (isKerfwayError(error) && error.code === 'unfit-path') this.start();
         else this.store.planFailed(messageOf(error));

@@ -3,7 +3,7 @@
 import type { Box } from './extent.js';
 import { type Insights, noInsights } from './insights.js';
 import { AS_DRAWN, type Placing } from './placing.js';
-import type { Baselines, Beam, BestPath, DoneReason, Finding, Geometry, LoadOptions, Loaded, MachineProfile, Progress } from 'kerfway';
+import { type Baselines, type Beam, type BestPath, type DoneReason, type Finding, type Geometry, type LoadOptions, type Loaded, type MachineProfile, type Progress, PROVEN } from 'kerfway';
 
 /**
  * starting: the planner is being loaded. reading: a file is being read. question: an answer is needed before planning.
@@ -87,4 +87,10 @@ export function initialState(): State {
     phase: 'starting', name: '', sample: true, load: {}, loaded: null, extent: [0, 0, 1, 1], question: null, machine: null,
     search: { method: '', parameters: {}, seed: null, seconds: 10 }, placing: AS_DRAWN, material: null, budget: 10, error: null, opening: null, refused: null, ...noPlan(),
   };
+}
+
+/** Whether no plan of the job takes less time than this one, proven. */
+export function isOptimal({ progress }: PlanState): boolean {
+  const gap = progress?.summary.gap ?? null;
+  return gap !== null && gap <= PROVEN;
 }

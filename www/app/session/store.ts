@@ -7,7 +7,7 @@ import type { DoneReason, Loaded, LoadOptions, MachineProfile, Progress, Started
 import { Emitter } from '../core/emitter.js';
 import { extentOf } from './extent.js';
 import { withInsight } from './insights.js';
-import type { KeptPlan } from './kept-plan.js';
+import { type KeptPlan, withBound } from './kept-plan.js';
 import type { Placing } from './placing.js';
 import { initialState, noPlan, type Phase, type PlanState, type Question, type Search, type State } from './state.js';
 
@@ -154,6 +154,15 @@ export class Store extends Emitter<Events> {
       insights: progress.insight ? withInsight(insights, progress.insight) : insights,
       curve: extended(curve, progress.seconds, progress.summary.total_time),
     });
+    this.emit('progress', this.current);
+  }
+
+  /** No plan of this job takes less than these seconds. */
+  boundRaised(seconds: number): void {
+    const { progress } = this.current;
+    if (progress === null) return;
+    // Rounding may have put it above the time of an optimal plan.
+    this.set({ progress: withBound(progress, Math.min(seconds, progress.summary.total_time)) });
     this.emit('progress', this.current);
   }
 

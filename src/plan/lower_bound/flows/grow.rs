@@ -21,6 +21,8 @@ const LITTLE: f64 = 0.002;
 /// Most numbers in the tables of legs, and in a row: 64 and 16 MB.
 const MOST_NUMBERS: usize = 8_000_000;
 const MOST_WIDTH: usize = 2_000_000;
+/// No round adds anything when more legs matter than this: 100 MB, and up to three times as many in the next round.
+const MOST_USED: usize = 4_000_000;
 
 impl FlowBound {
     /// Makes the states, with the potentials that they had. Returns whether there is room for them.
@@ -90,7 +92,9 @@ impl FlowBound {
     pub(super) fn grow(&mut self) -> bool {
         self.select();
         self.step();
-        let full = self.net.sources.len() > MOST_LEGS / 2 || self.net.width > MOST_WIDTH;
+        let full = self.net.sources.len() > MOST_LEGS / 2
+            || self.net.width > MOST_WIDTH
+            || self.legs.legs.len() > MOST_USED;
         let members = self.members();
         let fuller = !full && self.remember();
         let around = if full { None } else { self.halve() };

@@ -27,7 +27,8 @@ impl StopBound {
                 }
                 let [i, j] = self.active[l].ends.map(|v| v as usize);
                 let (i, j) = (i - self.base[a], j - self.base[b]);
-                let real = self.prices.minorant.air().seconds(places[a][i], places[b][j]);
+                let real =
+                    self.prices.real([places[a][i], places[b][j]], [items[a].halves[i], items[b].halves[j]]);
                 let by = self.uses[l] * (real - self.active[l].seconds).max(0.0);
                 lost[a][i] += by;
                 lost[b][j] += by;

@@ -128,7 +128,8 @@ impl Strong {
 fn lost(ground: &Ground, [from, to]: [Visit; 2]) -> f64 {
     let Some(seconds) = ground.leg(from, to) else { return 0.0 };
     let places = [from, to].map(|v| place(&ground.items[v.item], v.knot));
-    ground.prices.minorant.air().seconds(places[0], places[1]) - seconds
+    let halves = [from, to].map(|v| ground.items[v.item].halves[v.knot]);
+    ground.prices.real(places, halves) - seconds
 }
 
 fn place(item: &Item, knot: usize) -> DVec2 {

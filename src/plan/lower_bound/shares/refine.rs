@@ -33,7 +33,8 @@ impl ShareBound {
             }
             for l in self.starts[e]..self.starts[e + 1] {
                 let [i, j] = [self.active[l].i, self.active[l].j].map(|v| v as usize);
-                let real = self.prices.minorant.air().seconds(places[a][i], places[b][j]);
+                let halves = [self.items[a].halves[i], self.items[b].halves[j]];
+                let real = self.prices.real([places[a][i], places[b][j]], halves);
                 let by = self.uses[l] * (real - self.active[l].seconds).max(0.0);
                 lost[a][i] += by;
                 lost[b][j] += by;
