@@ -1,12 +1,13 @@
-// Makes pictures of the docs with the built package and page: `node scripts/pictures.mjs` after a build. docs/corners.png and
-// docs/kerf-starts.png, docs/bridges.png and docs/bridges-cut.png are written by the command line; docs/tips.png is what the page shows of pieces that tip and of the ways past them.
+// Makes pictures of README and docs with the built package and page: `node scripts/pictures.mjs` after a build. docs/corners.png and
+// docs/kerf-starts.png, docs/bridges.png and docs/bridges-cut.png are written by the command line; docs/tips.png is what the page shows of pieces that tip and of the ways past them;
+// www/screenshot.png is the page as a newcomer has it after a minute.
 
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { dxf, polygon } from '../tests/package/support.mjs';
 import { still } from '../tests/browser/page-pictures.mjs';
-import { machineSection, openPlanned, replanned, SIZES } from '../tests/browser/page-support.mjs';
+import { machineSection, openPage, openPlanned, phase, replanned, SIZES } from '../tests/browser/page-support.mjs';
 import { createPlanner } from '../dist/sdk/node.js';
 import { main, ROOT, run } from './tools.mjs';
 
@@ -50,6 +51,20 @@ function bridges(folder, planner) {
   }
 }
 
+/** Milliseconds after which most of what is left to gain is proven. */
+const PROVEN = 45_000;
+
+/** The whole page with its first sheet, planned. */
+async function screenshot() {
+  const after = [];
+  const { page } = await openPage({ after: (end) => after.push(end) }, { hash: 'seed=1' });
+  await page.getByRole('button', { name: 'Keep this machine' }).click();
+  await phase(page, 'done');
+  await page.waitForTimeout(PROVEN);
+  await page.screenshot({ path: join(ROOT, 'www', 'screenshot.png') });
+  for (const end of after) await end();
+}
+
 /** A sheet of 100 contours on the page: pieces that tip in amber, moves around them, and over them with the head lifted. */
 async function tips() {
   const drawing = readFileSync(join(ROOT, 'tests', 'fixtures', 'sheets', 'sheet_100.dxf'));
@@ -71,4 +86,5 @@ await main(async () => {
   planner.close();
   rmSync(folder, { recursive: true });
   await tips();
+  await screenshot();
 });

@@ -50,4 +50,6 @@ test('without anybody touching it, the page checks the program after twelve seco
   const names = sent.filter(isWriter).map(({ file }) => file).sort();
   assert.deepEqual(names, [...new Set(names)], 'each file once');
   await stored(page, 'kerfway_outputs');
+  // The file for proofs is larger than all the rest: it waits for somebody.
+  assert.deepEqual(sent.filter(({ file }) => file.includes('kerfway_research')), []);
 });

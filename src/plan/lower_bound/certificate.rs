@@ -2,12 +2,13 @@
 //!
 //! A certificate lists numbers that anyone can add up again; how they were found does not matter. All of them are whole
 //! multiples of a unit, a power of two of about a million-millionth of the longest leg, so that the check adds without
-//! rounding. Only the least seconds between two pieces come from floating-point numbers: they are lowered by [`GUARD`], which
-//! is far more than rounding can have raised them, and rounded down.
+//! rounding. Only the least seconds between two pieces and the extra seconds of stops come from floating-point numbers: they are lowered by
+//! [`GUARD`], which is far more than rounding can have raised them, and rounded down.
 //!
 //! The check shares the division of contours (`net.rs`) and the seconds between pieces (`prices.rs`) with the search for the
 //! bound, and nothing else.
 
+use super::extras::counts_extras;
 use super::net::{Item, homes, items};
 use super::pairs::{Pairs, box_seconds};
 use super::priced_cuts::{Cuts, PricedCut};
@@ -16,8 +17,8 @@ use crate::problem::{self, Problem};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
-/// Lowers least seconds between pieces, as a share of the seconds across everything: 2^-36. They come from about twenty
-/// operations, each of which is off by at most 2^-53 of that.
+/// Lowers least seconds between pieces, as a share of the seconds across everything and along the slowest contour: 2^-36. They come from about
+/// twenty operations, each of which is off by at most 2^-53 of that.
 const GUARD: f64 = 1.0 / (1_u64 << 36) as f64;
 /// The seconds across everything are at most this power of two of the unit, so that no sum of shares exceeds 64 bits.
 const BITS: i32 = 40;
@@ -126,7 +127,10 @@ pub(super) fn unit(items: &[Item], prices: &Prices, problem: &Problem) -> (i32, 
             let reach = all.min.abs().max(all.max.abs());
             let air = prices.minorant.air();
             let scale = 2.0 * air.seconds(-reach, reach) + f64::MIN_POSITIVE;
-            (scale, GUARD * scale)
+            // Extra seconds of stops are differences of the seconds of a whole contour.
+            let uneven = problem.items.iter().filter(|i| counts_extras(i) && i.is_uneven());
+            let slowest = uneven.fold(0.0, |m: f64, i| m.max(i.fixed));
+            (scale, GUARD * (scale + slowest))
         }
     };
     // The exponent of the power of two above the scale.

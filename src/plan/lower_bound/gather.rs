@@ -234,7 +234,7 @@ mod tests {
     /// Two triangles, and home beside the first: nothing joins the second to the rest.
     #[test]
     fn a_set_of_items_without_legs_is_found() {
-        let items = vec![points(&[DVec2::ZERO], &[0.0], false); 7];
+        let items = vec![points(&[DVec2::ZERO], false); 7];
         let legs = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 4]].map(|ends| ends.map(|i| (i, 0)));
         let sets =
             usage(&items, &legs).sets(Search { knots: false, relative: false, enough: 1.0, little: 0.1 });
@@ -245,7 +245,7 @@ mod tests {
     /// Two circles of legs at the two knots of the same items: each stops at half of the knots only.
     #[test]
     fn a_set_through_items_is_found() {
-        let items = vec![points(&[DVec2::ZERO, DVec2::ONE], &[0.0; 2], false); 4];
+        let items = vec![points(&[DVec2::ZERO, DVec2::ONE], false); 4];
         let mut usage = Usage::new(&items, 1);
         for (knot, ends) in [(0, [0, 1]), (0, [1, 2]), (0, [2, 0]), (1, [1, 2]), (1, [2, 3]), (1, [3, 1])] {
             usage.add(ends.map(|i| (i, if i == 0 { 0 } else { knot })), 0.5);

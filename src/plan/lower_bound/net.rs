@@ -4,7 +4,7 @@
 //! together, 2 and 3, and so on). Between knots are pieces: a contour that may be entered anywhere is a ring of pieces, and a
 //! single node is a piece with one knot. Item 0 is home.
 
-use super::extras::Extras;
+use super::extras::{Extras, HAS_EXTRAS, counts_extras};
 use crate::geometry::{Aabb, DVec2, Path, Segment};
 use crate::order::{real, sort_by};
 use crate::problem::{self, NodeId, Problem};
@@ -34,8 +34,6 @@ pub(super) struct Item {
     /// Arrived at one knot of a pair, left from the other.
     pub(super) paired: bool,
     pub(super) pieces: Vec<Piece>,
-    /// Half of the extra seconds of a stop at each knot.
-    pub(super) halves: Vec<f64>,
     /// Arc length of each knot along the track, ascending; empty without a track.
     pub(super) along: Vec<f64>,
     track: Option<Track>,
@@ -48,8 +46,7 @@ struct Track {
     path: Path,
     /// Arc length at which each element starts, the whole length at the end.
     starts: Vec<f64>,
-    /// None if all stops take the same.
-    extras: Option<Extras>,
+    extras: Extras,
 }
 
 /// All items of a problem: home first, and for an open path a second one, wherever it ends. With a table home is the
@@ -61,7 +58,7 @@ pub(super) fn items(problem: &Problem) -> Vec<Item> {
         items.rotate_right(1);
         return items;
     }
-    let home = points(&[problem.home], &[0.0], false);
+    let home = points(&[problem.home], false);
     let mut items = if problem.closed { vec![home] } else { vec![home.clone(), home] };
     items.extend(contours);
     items
@@ -76,10 +73,8 @@ fn of_item(problem: &Problem, item: &problem::Item) -> Item {
     let nodes = &problem.nodes[item.nodes.start as usize..item.nodes.end as usize];
     if nodes.is_empty() {
         // A skipped contour: every tour visits it at home at no cost.
-        return points(&[problem.home], &[0.0], false);
+        return points(&[problem.home], false);
     }
-    // Stops of a contour that is left share what they cost, and those of pierce groups have seconds of their own.
-    let is_even = item.may_be_left() || item.is_pierce_group();
     if let Some(path) = &item.track {
         let mut along: Vec<f64> = nodes.iter().map(|n| n.along).collect();
         sort_by(&mut along, |&s| [real(s), 0, 0]);
@@ -88,34 +83,30 @@ fn of_item(problem: &Problem, item: &problem::Item) -> Item {
         for s in &path.segments {
             starts.push(starts[starts.len() - 1] + s.length());
         }
-        let extras = item.uneven().filter(|_| !is_even).map(Extras::new);
-        return ring(Track { path: path.clone(), starts, extras }, &along);
+        return ring(Track { path: path.clone(), starts, extras: Extras::new(item) }, &along);
     }
-    let half =
-        |id: NodeId| if is_even { 0.0 } else { 0.5 * item.extra(id, problem.nodes[id as usize].along) };
+    let half = |id: NodeId| 0.5 * item.extra(id, problem.nodes[id as usize].along);
     if problem.table().is_some() || nodes.iter().all(|n| n.entry == n.exit) {
-        let halves: Vec<f64> = item.nodes.clone().map(half).collect();
-        return points(&nodes.iter().map(|n| n.entry).collect::<Vec<_>>(), &halves, false);
+        let places: Vec<DVec2> = nodes.iter().map(|n| n.entry).collect();
+        return points(&places, false).with_extras(item, item.nodes.clone().map(half));
     }
-    let both = nodes.iter().zip(item.nodes.clone()).filter(|(n, id)| *id <= n.twin);
-    let ends: Vec<DVec2> = both.clone().flat_map(|(n, _)| [n.entry, n.exit]).collect();
-    let halves: Vec<f64> = both.flat_map(|(n, id)| [half(id).min(half(n.twin)); 2]).collect();
-    points(&ends, &halves, true)
+    let ways = nodes.iter().zip(item.nodes.clone()).filter(|(n, id)| *id <= n.twin);
+    let ends: Vec<DVec2> = ways.clone().flat_map(|(n, _)| [n.entry, n.exit]).collect();
+    points(&ends, true).with_extras(item, ways.flat_map(|(n, id)| [half(id).min(half(n.twin)); 2]))
 }
 
-/// An item with a knot at each of these places. `halves`: half of the extra seconds of a stop there.
-pub(super) fn points(places: &[DVec2], halves: &[f64], paired: bool) -> Item {
-    let piece = |(k, (&p, &half)): (usize, (&DVec2, &f64))| Piece {
+/// An item with a knot at each of these places.
+pub(super) fn points(places: &[DVec2], paired: bool) -> Item {
+    let piece = |(k, &p): (usize, &DVec2)| Piece {
         knots: [k; 2],
         ends: [p; 2],
         off: 0.0,
-        halves: [half; 2],
+        halves: [0.0; 2],
         around: Aabb::of(p),
         to: 0.0,
     };
-    let pieces: Vec<Piece> = places.iter().zip(halves).enumerate().map(piece).collect();
-    let (around, halves) = (hull(&pieces), halves.to_vec());
-    Item { knots: places.len(), paired, along: Vec::new(), track: None, around, pieces, halves }
+    let pieces: Vec<Piece> = places.iter().enumerate().map(piece).collect();
+    Item { knots: places.len(), paired, along: Vec::new(), track: None, around: hull(&pieces), pieces }
 }
 
 /// A stretch of a track between the arc lengths of two knots. `to`: the same as `end`, or a lap more.
@@ -146,13 +137,12 @@ fn of_stretches(track: Track, stretches: &[Stretch]) -> Item {
         let ends = [at(s.start), at(s.end)];
         let off = track.off_chord(s.start, s.to, ends);
         let knots = [s.start, s.end].map(|x| along.partition_point(|&a| a < x));
-        let halves = track.extras.as_ref().map_or([0.0; 2], |e| e.below(s.start, s.to, track.length()));
+        let halves = track.extras.below(s.start, s.to, track.length());
         Piece { knots, ends, off, halves, around: Aabb::of(ends[0]).with(ends[1]).grown(off), to: s.to }
     };
     let pieces: Vec<Piece> = stretches.iter().map(piece).collect();
     let around = hull(&pieces);
-    let halves = along.iter().map(|&s| track.extras.as_ref().map_or(0.0, |e| e.half(s))).collect();
-    Item { knots: along.len(), paired: false, along, track: Some(track), around, pieces, halves }
+    Item { knots: along.len(), paired: false, along, track: Some(track), around, pieces }
 }
 
 /// Where the knots of each item start if they are counted through all items, and how many there are.
@@ -170,6 +160,23 @@ fn hull(pieces: &[Piece]) -> Aabb {
 }
 
 impl Item {
+    /// The same item of points with half of the extra seconds of a stop at each knot.
+    fn with_extras(mut self, item: &problem::Item, halves: impl Iterator<Item = f64>) -> Self {
+        if counts_extras(item) {
+            self.pieces.iter_mut().zip(halves).for_each(|(piece, half)| piece.halves = [half; 2]);
+        }
+        self
+    }
+
+    /// Half of the extra seconds of a stop at a knot.
+    pub(super) fn half(&self, knot: usize) -> f64 {
+        if !HAS_EXTRAS {
+            return 0.0;
+        }
+        let of_point = || self.pieces.get(knot).map_or(0.0, |p| p.halves[0]);
+        self.track.as_ref().map_or_else(of_point, |t| t.extras.half(self.along[knot]))
+    }
+
     /// Whether its pieces can be halved.
     pub(super) fn can_halve(&self) -> bool {
         self.track.is_some()

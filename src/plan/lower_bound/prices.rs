@@ -1,7 +1,8 @@
 //! Lower bounds of the cost of legs between two pieces: by the machine's air time, or by a table.
 
+use super::extras::HAS_EXTRAS;
 use super::minorant::Minorant;
-use super::net::Piece;
+use super::net::{Item, Piece};
 use crate::geometry::DVec2;
 use crate::problem::{NodeId, Problem, Table};
 
@@ -73,7 +74,11 @@ impl Prices {
             _ if self.end == Some(items[0]) => [[0.0; 2]; 2],
             _ => self.minorant.corners(p, q),
         };
-        let corners = [0, 1].map(|i| [0, 1].map(|j| seconds[i][j] + p.halves[i] + q.halves[j]));
+        let corners = if HAS_EXTRAS {
+            [0, 1].map(|i| [0, 1].map(|j| seconds[i][j] + p.halves[i] + q.halves[j]))
+        } else {
+            seconds
+        };
         #[cfg(feature = "research")]
         if self.table.is_none()
             && self.none_below.is_some_and(|least| corners.as_flattened().iter().any(|&s| s < least))
@@ -83,8 +88,9 @@ impl Prices {
         corners
     }
 
-    /// What a leg costs between two knots: its seconds, and half of the extra seconds of both stops.
-    pub(super) fn real(&self, places: [DVec2; 2], halves: [f64; 2]) -> f64 {
-        self.minorant.air().seconds(places[0], places[1]) + halves[0] + halves[1]
+    /// What a leg costs between two knots, each given as its item, its number and its place.
+    pub(super) fn real(&self, stops: [(&Item, usize, DVec2); 2]) -> f64 {
+        let [one, other] = stops.map(|(item, knot, _)| item.half(knot));
+        self.minorant.air().seconds(stops[0].2, stops[1].2) + one + other
     }
 }

@@ -80,8 +80,8 @@ impl FlowBound {
             let left = if items[from].paired { knot ^ 1 } else { knot };
             for (leg, &uses) in self.legs.legs[legs.clone()].iter().zip(&self.legs.uses[legs.clone()]) {
                 let k = leg.to as usize - self.net.at[step.to];
-                let halves = [items[from].halves[left], items[to].halves[k]];
-                let real = self.ground.prices.real([places[from][left], places[to][k]], halves);
+                let stops = [(from, left), (to, k)].map(|(i, knot)| (&items[i], knot, places[i][knot]));
+                let real = self.ground.prices.real(stops);
                 let by = if uses > USED { uses * (real - leg.seconds).max(0.0) } else { 0.0 };
                 lost[from][left] += by;
                 lost[to][k] += by;

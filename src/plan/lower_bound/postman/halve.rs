@@ -27,8 +27,7 @@ impl StopBound {
                 }
                 let [i, j] = self.active[l].ends.map(|v| v as usize);
                 let (i, j) = (i - self.base[a], j - self.base[b]);
-                let real =
-                    self.prices.real([places[a][i], places[b][j]], [items[a].halves[i], items[b].halves[j]]);
+                let real = self.prices.real([(a, i), (b, j)].map(|(k, v)| (&items[k], v, places[k][v])));
                 let by = self.uses[l] * (real - self.active[l].seconds).max(0.0);
                 lost[a][i] += by;
                 lost[b][j] += by;

@@ -117,5 +117,5 @@ fn pierce_group(problem: &Problem, item: &problem::Item) -> Member {
         Choice { more: more.collect(), stop }
     };
     let choices = item.paths.iter().map(&mut choice).collect();
-    Member { item: net::points(&places, &vec![0.0; places.len()], false), stops: Stops::Paths(choices) }
+    Member { item: net::points(&places, false), stops: Stops::Paths(choices) }
 }

@@ -127,9 +127,8 @@ impl Strong {
 /// How far a leg between two knots is priced below its real cost, s.
 fn lost(ground: &Ground, [from, to]: [Visit; 2]) -> f64 {
     let Some(seconds) = ground.leg(from, to) else { return 0.0 };
-    let places = [from, to].map(|v| place(&ground.items[v.item], v.knot));
-    let halves = [from, to].map(|v| ground.items[v.item].halves[v.knot]);
-    ground.prices.real(places, halves) - seconds
+    let stops = [from, to].map(|v| (&ground.items[v.item], v.knot));
+    ground.prices.real(stops.map(|(item, knot)| (item, knot, place(item, knot)))) - seconds
 }
 
 fn place(item: &Item, knot: usize) -> DVec2 {

@@ -33,8 +33,7 @@ impl ShareBound {
             }
             for l in self.starts[e]..self.starts[e + 1] {
                 let [i, j] = [self.active[l].i, self.active[l].j].map(|v| v as usize);
-                let halves = [self.items[a].halves[i], self.items[b].halves[j]];
-                let real = self.prices.real([places[a][i], places[b][j]], halves);
+                let real = self.prices.real([(a, i), (b, j)].map(|(k, v)| (&self.items[k], v, places[k][v])));
                 let by = self.uses[l] * (real - self.active[l].seconds).max(0.0);
                 lost[a][i] += by;
                 lost[b][j] += by;
