@@ -13,8 +13,8 @@
 // checked by code that shares nothing with the search. Other solvers run on the same instances if Python has them
 // (`KERFWAY_PYTHON`, otherwise python3; benches/solve/baselines.py lists what they need).
 
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { availableParallelism, tmpdir } from 'node:os';
+import { readFileSync, rmSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
 import { basename, dirname, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
@@ -23,11 +23,10 @@ import { ask, DIST, ENV, ROOT, run, Stop } from '../scripts/tools.mjs';
 import { build as buildAll, LEAN } from '../scripts/build.mjs';
 import { IGNORED, Instances, NOT_RUN } from './common/data.mjs';
 import { mb, mean, median, ms, rows, table } from './common/table.mjs';
-import { asDxf } from '../benchmark/drawing.mjs';
-import { generated } from '../benchmark/generate.mjs';
 import { byHand, drawn, PATTERNS, SIDES } from './solve/grids.mjs';
 import { MARKS as HOLE_MARKS } from './solve/holes.mjs';
 import { large } from './solve/large.mjs';
+import { proofs } from './solve/proofs.mjs';
 import { at, baseline, boundsOf, HERE, inWasm, NATIVE, natively, off, percent, proven, PYTHON } from './solve/runs.mjs';
 import { partial, plates } from './solve/stops.mjs';
 
@@ -182,49 +181,6 @@ async function quDu({ seconds, seeds, only, cpu, instances }) {
     return [source.name, source.known.toFixed(3), best.toFixed(3), reached(source.runs), found(source.runs), reached(wasm), found(wasm), off(best, bounds.get(source.name))];
   });
   table('Qu & Du, 43 contours, fixed points: optima of benches/data/README.md', ['', 'optimum', 'best', 'natively', 'median', 'wasm', 'median', 'above the bound'], lines);
-}
-
-/** Share of the travel that may be left below a path that is proven optimal: known values have three decimals, and entries anywhere are proven to a ten-millionth. */
-const PROVEN = 5e-7;
-/** Generated sheets: how many, and the least and the greatest number of contours. */
-const GENERATED = { sheets: 40, least: 20, most: 60 };
-
-/** Which paths are proven optimal, natively in one thread: the 43 contours in all variants, and generated sheets. The known path is that of a search of ten seconds. */
-function proofs({ seconds, only = '', instances }) {
-  const columns = ['', 'contours', 'path', 'proven', 'seconds'];
-  const line = ({ instance, items, known, bound, seconds: needed }) => {
-    const optimal = bound >= known * (1 - PROVEN);
-    const row = [instance, String(items), known.toFixed(4), optimal ? 'optimal' : `${((100 * bound) / known).toFixed(2)} %`, needed.toFixed(1)];
-    console.log(row.join('  '));
-    return { row, optimal, seconds: needed };
-  };
-  const last = (file, ...more) => [...new Map(boundsOf(file, '--seconds', String(seconds), ...more).map((row) => [row.instance, row])).values()];
-  const points = instances.file('qu-du-43/qu_du_43.json');
-  const anywhere = join(ROOT, 'tests', 'fixtures', 'qu-du-43', 'qu_du_43.dxf');
-  if ('qu-du'.includes(only)) {
-    const variants = [
-      ...last(points),
-      ...['2782.5805', '2496.053'].map((upper, open) => {
-        const [row] = last(anywhere, '--upper', upper, ...(open ? ['--open'] : []));
-        return { ...row, instance: `entries anywhere, ${open ? 'open' : 'closed'}` };
-      }),
-    ];
-    table(`43 contours: what is proven within ${seconds} s`, columns, variants.map((row) => line(row).row));
-  }
-  const folder = mkdtempSync(join(tmpdir(), 'kerfway-'));
-  const { sheets: count, least, most } = GENERATED;
-  const sheetsOf = Array.from({ length: count }, (_, k) => [k + 1, least + Math.round((k * (most - least)) / (count - 1))]);
-  const lines = sheetsOf.filter(([seed]) => `generated-${seed}`.includes(only)).map(([seed, contours]) => {
-    const file = join(folder, `generated-${seed}.dxf`);
-    writeFileSync(file, asDxf(generated({ seed, count: contours })));
-    const [{ runs }] = natively(file, { seconds: 10, seeds: 1, cpu: true });
-    return line(last(file, '--upper', String(runs[0].value))[0]);
-  });
-  rmSync(folder, { recursive: true });
-  if (lines.length === 0) return;
-  table(`Generated sheets: what is proven within ${seconds} s`, columns, lines.map((l) => l.row));
-  const done = lines.filter((l) => l.optimal);
-  console.log(`proven optimal: ${done.length} of ${lines.length}, in ${median(done.map((l) => l.seconds)).toFixed(1)} s in the median`);
 }
 
 /** Seconds that the bound of a sheet is given, by its number of contours. */

@@ -17,7 +17,7 @@ test('after the search the path is proven optimal, and there is nothing more to 
   assert.equal(await page.getByRole('button', { name: 'Keep improving' }).isVisible(), true);
   assert.equal(sent.filter(isProof).length, 0, 'a plan of under ten seconds waits for them');
   await page.waitForFunction(() => document.querySelector('.dock-head').textContent === 'Optimal: no better path exists.');
-  assert.equal(await page.locator('.parts .gap + dd').innerText(), 'nothing: this path is optimal');
+  await page.locator('.parts .gap + dd').getByText('nothing: this path is optimal').waitFor();
   assert.equal(await page.getByRole('button', { name: 'Keep improving' }).isVisible(), false);
   assert.equal(await page.getByRole('button', { name: 'G-code' }).first().isVisible(), true);
   assert.ok(sent.some(isProof));

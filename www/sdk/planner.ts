@@ -151,9 +151,9 @@ export class Planner {
 
   /**
    * Works on a lower bound of the current plan's job in a worker of its own, beside its search or after it, until the budget is used up.
-   * A higher bound is reported as the progress of the plan and is in its outputs. Up to 128 contours it can prove that a path is optimal, and
-   * from about 100 contours on, or where contours may be left unfinished or are cut as one, it is stronger than the search's own. It has a
-   * certificate, which `kerfway verify` checks. Another plan or another drawing ends the proof.
+   * A higher bound is reported as the progress of the plan and is in its outputs. Up to 128 contours it can prove that a path is optimal. It is stronger
+   * than the search's own from about 100 contours on, where contours have corners in which the machine brakes, and where contours may be left unfinished
+   * or are cut as one. It has a certificate, which `kerfway verify` checks. Another plan or another drawing ends the proof.
    */
   prove(budget: ProofBudget = {}, onBound: (seconds: number) => unknown = () => {}): ProofHandle {
     checkOptions(budget, 'prove');
