@@ -17,9 +17,11 @@ use crate::problem::{self, Problem};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
-/// Lowers least seconds between pieces, as a share of the seconds across everything and along the slowest contour: 2^-36. They come from about
-/// twenty operations, each of which is off by at most 2^-53 of that.
+/// Lowers least seconds between pieces, as a share of the seconds across everything: 2^-36. They come from about twenty
+/// operations, each of which is off by at most 2^-53 of that.
 const GUARD: f64 = 1.0 / (1_u64 << 36) as f64;
+/// How many times longer than across everything a contour may take before it decides: its extra seconds are off by a few times 2^-53 of it.
+const SLOWER: f64 = 1024.0;
 /// The seconds across everything are at most this power of two of the unit, so that no sum of shares exceeds 64 bits.
 const BITS: i32 = 40;
 
@@ -130,7 +132,7 @@ pub(super) fn unit(items: &[Item], prices: &Prices, problem: &Problem) -> (i32, 
             // Extra seconds of stops are differences of the seconds of a whole contour.
             let uneven = problem.items.iter().filter(|i| counts_extras(i) && i.is_uneven());
             let slowest = uneven.fold(0.0, |m: f64, i| m.max(i.fixed));
-            (scale, GUARD * (scale + slowest))
+            (scale, GUARD * scale.max(slowest / SLOWER))
         }
     };
     // The exponent of the power of two above the scale.
