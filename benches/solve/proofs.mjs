@@ -2,7 +2,7 @@
 
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { basename, join } from 'node:path';
+import { join } from 'node:path';
 import { ROOT } from '../../scripts/tools.mjs';
 import { asDxf } from '../../benchmark/drawing.mjs';
 import { generated } from '../../benchmark/generate.mjs';
@@ -26,18 +26,20 @@ export function proofs({ seconds, only = '', instances }) {
   if ('qu-du'.includes(only)) quDu(seconds, instances);
   const folder = mkdtempSync(join(tmpdir(), 'kerfway-'));
   const { sheets: count, least, most } = GENERATED;
-  const sheets = Array.from({ length: count }, (_, k) => {
-    const file = join(folder, `generated-${k + 1}.dxf`);
-    writeFileSync(file, asDxf(generated({ seed: k + 1, count: least + Math.round((k * (most - least)) / (count - 1)) })));
+  const seeds = Array.from({ length: count }, (_, k) => k + 1);
+  const drawn = (seed) => {
+    const file = join(folder, `generated-${seed}.dxf`);
+    writeFileSync(file, asDxf(generated({ seed, count: least + Math.round(((seed - 1) * (most - least)) / (count - 1)) })));
     return file;
-  });
-  show('Generated sheets', seconds, sheets.filter((file) => basename(file, '.dxf').includes(only)).map((file) => {
+  };
+  show('Generated sheets', seconds, seeds.filter((seed) => `generated-${seed}`.includes(only)).map((seed) => {
+    const file = drawn(seed);
     const [{ runs }] = natively(file, { seconds: 10, seeds: 1, cpu: true });
     return line(last(file, seconds, '--upper', String(runs[0].value))[0]);
   }));
   for (const machine of 'machines'.includes(only) ? REAL.machines : []) {
-    const some = sheets.filter((_, k) => k % REAL.every === 0);
-    show(`Generated sheets on ${machine}`, seconds, some.map((file) => line(last(file, seconds, '--machine', machine, '--search', String(REAL.moves))[0])));
+    const some = seeds.filter((seed) => seed % REAL.every === 1);
+    show(`Generated sheets on ${machine}`, seconds, some.map((seed) => line(last(drawn(seed), seconds, '--machine', machine, '--search', String(REAL.moves))[0])));
   }
   rmSync(folder, { recursive: true });
 }

@@ -82,12 +82,16 @@ export class Planning {
     return loaded !== null && phase !== 'question' && phase !== 'reading';
   }
 
-  /** Ends the current search, and discards whatever it still reports. */
+  /** Ends the current search and the proof of its job, and discards whatever they still report. */
   cancel(): () => boolean {
+    this.stopProof();
+    return this.endSearch();
+  }
+
+  private endSearch(): () => boolean {
     clearTimeout(this.timer);
     this.run?.stop();
     this.run = null;
-    this.stopProof();
     return this.latest.begin();
   }
 
@@ -116,7 +120,7 @@ export class Planning {
     if (phase !== 'done' || !planner) return;
     // The proof goes on: the job is the same.
     clearTimeout(this.proofTimer);
-    const isLatest = this.latest.begin();
+    const isLatest = this.endSearch();
     const run = planner.continue({ seconds }, this.reporter(isLatest));
     this.store.planningContinued((progress?.seconds ?? 0) + seconds);
     this.follow(run, isLatest);
