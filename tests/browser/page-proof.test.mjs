@@ -12,8 +12,8 @@ test('after the search the path is proven optimal, and there is nothing more to 
   await phase(page, 'done');
   await drop(page, 'grid.dxf', grid(9));
   await planned(page, 'grid.dxf', 'done');
-  // What the search itself knows: little, because squares have corners.
-  assert.match(await page.locator('.parts .gap + dd').innerText(), /^at most/);
+  // What the search itself knows: little, because squares have corners, and nothing after 0.4 s on a busy machine.
+  assert.match(await page.locator('.parts .gap + dd').innerText(), /^(at most|no bound yet)/);
   assert.equal(await page.getByRole('button', { name: 'Keep improving' }).isVisible(), true);
   assert.equal(sent.filter(isProof).length, 0, 'a plan of under ten seconds waits for them');
   await page.waitForFunction(() => document.querySelector('.dock-head').textContent === 'Optimal: no better path exists.');
