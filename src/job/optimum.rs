@@ -17,6 +17,8 @@ pub(super) struct Optimum {
     running: Running,
     bound: LowerBound,
     moves: u64,
+    /// The cost of the path that the bound was told of last, s.
+    told: f64,
     more: bool,
 }
 
@@ -27,6 +29,7 @@ impl Optimum {
             bound: LowerBound::new(problem),
             running: Running::new(problem.clone(), |p| solve::methods()[0].start(p, 1, None)),
             moves: 0,
+            told: f64::INFINITY,
             more: true,
         })
     }
@@ -38,8 +41,12 @@ impl Optimum {
                 self.moves += MOVES;
                 self.running.with_dependent_mut(|_, search| search.step(MOVES));
             }
-            let upper = self.running.borrow_dependent().best().cost;
-            self.more = self.bound.improve(TURN, upper);
+            let best = self.running.borrow_dependent().best();
+            if best.cost < self.told {
+                self.told = best.cost;
+                self.bound.knows(self.running.borrow_owner(), best);
+            }
+            self.more = self.bound.improve(TURN, best.cost);
         }
         self.more
     }

@@ -17,7 +17,7 @@ pub use from_solution::from_solution;
 pub use lower_bound::LowerBound;
 #[cfg(feature = "research")]
 pub use lower_bound::{
-    Certificate, CertificateFault, Certified, CutPart, FlowBound, FlowCertificate, Part, PricedCut,
-    PricedParts, ShareBound, SharedLegs, StopBound, StopCertificate, WalkCertificate, with_paid,
+    Certificate, CertificateFault, Certified, CutPart, FlowBound, FlowCertificate, MixedLegs, Part,
+    PricedCut, PricedParts, ShareBound, SharedLegs, StopBound, StopCertificate, WalkCertificate, with_paid,
 };
 pub use model::{Leads, Move, Plan, Summary, Turn, Way};

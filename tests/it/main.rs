@@ -5,6 +5,7 @@
 #[path = "../testkit/mod.rs"]
 mod testkit;
 
+mod balanced_axes;
 mod bed;
 mod boundary;
 mod boundary_any;

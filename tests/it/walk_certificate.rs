@@ -4,7 +4,7 @@
 use crate::lower_bound::{entered_anywhere, scattered};
 use crate::testkit::sheets::{Dice, machine, nested_sheet};
 use kerfway::job::problem_of;
-use kerfway::plan::{CertificateFault, Certified, LowerBound, Part, PricedCut, WalkCertificate};
+use kerfway::plan::{CertificateFault, Certified, LowerBound, MixedLegs, Part, PricedCut, WalkCertificate};
 use kerfway::problem::{Problem, Table};
 use kerfway::solve;
 use std::time::Instant;
@@ -283,6 +283,17 @@ fn lists_that_do_not_fit_are_refused() {
     assert_eq!(cut(Vec::new(), vec![Part { item: home, knots: vec![99] }], Some(home), 1), fault("cuts"));
     assert_eq!(refused(&|c| c.knots[home] = vec![0.0]), fault("knots"));
     assert_eq!(refused(&|c| c.unit += 1), fault("units"));
+    let mixed = |items, speed, ramps| MixedLegs { items, speed, ramps };
+    for change in [
+        vec![mixed([2, 1], 0, 0)],
+        vec![mixed([2, 2], 0, 0)],
+        vec![mixed([1, 99], 0, 0)],
+        vec![mixed([1, 2], (1 << 20) + 1, 0)],
+        vec![mixed([1, 2], 0, u32::MAX)],
+        vec![mixed([1, 2], 0, 0), mixed([1, 2], 1, 1)],
+    ] {
+        assert_eq!(refused(&move |c| c.mixtures.clone_from(&change)), fault("mixtures"));
+    }
     let mut leaves = machine("length");
     leaves.pre_cut_time = Some(0.0);
     let leaves = problem_of(&nested_sheet(5, 1), &leaves);

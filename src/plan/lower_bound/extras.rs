@@ -47,6 +47,12 @@ impl Extras {
         self.uneven().map_or(0.0, |(run, _)| 0.5 * run.extra(along))
     }
 
+    /// Where the extra seconds may not be concave, see [`ClosedRun::kinks`].
+    #[cfg(feature = "research")]
+    pub(super) fn kinks(&self) -> &[f64] {
+        self.uneven().map_or(&[], |(_, kinks)| kinks)
+    }
+
     /// The values at its ends of a straight function that is nowhere above [`Extras::half`] between two arc lengths. `to` may be beyond the end
     /// of a track of this `length`, by a lap at most.
     pub(super) fn below(&self, from: f64, to: f64, length: f64) -> [f64; 2] {

@@ -73,8 +73,13 @@ mod flows;
 mod gather;
 #[cfg(feature = "research")]
 mod halving;
+#[cfg(feature = "research")]
+mod level;
+mod limits;
 mod meet;
 mod minorant;
+#[cfg(feature = "research")]
+mod mixtures;
 mod net;
 mod order;
 mod orders;
@@ -96,6 +101,7 @@ mod shares;
 mod space;
 #[cfg(feature = "research")]
 mod stop_certificate;
+mod track;
 mod tree;
 #[cfg(feature = "research")]
 mod walk_certificate;
@@ -103,10 +109,14 @@ mod walks;
 
 use crate::problem::{Item, Problem};
 #[cfg(feature = "research")]
+use crate::solve::{Solution, Stop};
+#[cfg(feature = "research")]
 pub use certificate::{Certificate, CertificateFault, Certified, SharedLegs, with_paid};
 use cheap::Cheap;
 #[cfg(feature = "research")]
 pub use flows::FlowBound;
+#[cfg(feature = "research")]
+pub use mixtures::MixedLegs;
 #[cfg(feature = "research")]
 pub use postman::StopBound;
 #[cfg(feature = "research")]
@@ -134,6 +144,9 @@ pub struct LowerBound {
     /// The best walks, when nothing is left to do.
     #[cfg(feature = "research")]
     record: Option<Box<Record>>,
+    /// The travel of the best path it knew then, s.
+    #[cfg(feature = "research")]
+    known: f64,
 }
 
 #[derive(Debug)]
@@ -164,6 +177,8 @@ impl LowerBound {
             left: 0,
             #[cfg(feature = "research")]
             record: None,
+            #[cfg(feature = "research")]
+            known: f64::INFINITY,
         }
     }
 
@@ -181,6 +196,7 @@ impl LowerBound {
                 #[cfg(feature = "research")]
                 if let Method::Strong(strong) = &mut self.method {
                     self.record = strong.record.take();
+                    self.known = strong.known();
                 }
                 self.method = Method::Done(self.value());
                 return false;
@@ -188,6 +204,31 @@ impl LowerBound {
             self.left = self.left.saturating_sub_unsigned(done);
         }
         true
+    }
+
+    /// Tells the bound by walks of a known path. It does not affect the validity of the bound either, but on machines whose axes have limits of their own
+    /// its legs show how those of all paths are best priced.
+    #[cfg(feature = "research")]
+    pub fn knows(&mut self, problem: &Problem, path: &Solution) {
+        if let Method::Strong(strong) = &mut self.method {
+            let entry = |stop: &Stop| {
+                let contour = problem.nodes.get(stop.node as usize)?.item as usize;
+                Some((contour, stop.along, stop.ends(problem)?.0))
+            };
+            if let Some(path) = path.stops.iter().map(entry).collect::<Option<Vec<_>>>() {
+                strong.knows(&path);
+            }
+        }
+    }
+
+    /// The travel of the best path that it knows with its best entries, s, which it may have found itself; infinite where it knows none. If the bound is as
+    /// much but for a ten-millionth, that path is optimal.
+    #[cfg(feature = "research")]
+    pub fn known(&self) -> f64 {
+        match &self.method {
+            Method::Strong(strong) => strong.known(),
+            Method::Cheap(_) | Method::Done(_) => self.known,
+        }
     }
 
     /// The bound, s.

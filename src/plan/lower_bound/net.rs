@@ -5,7 +5,8 @@
 //! single node is a piece with one knot. Item 0 is home.
 
 use super::extras::{Extras, HAS_EXTRAS, counts_extras};
-use crate::geometry::{Aabb, DVec2, Path, Segment};
+use super::track::Track;
+use crate::geometry::{Aabb, DVec2};
 use crate::order::{real, sort_by};
 use crate::problem::{self, NodeId, Problem};
 
@@ -39,14 +40,6 @@ pub(super) struct Item {
     track: Option<Track>,
     /// The box around all of it.
     pub(super) around: Aabb,
-}
-
-#[derive(Clone, Debug)]
-struct Track {
-    path: Path,
-    /// Arc length at which each element starts, the whole length at the end.
-    starts: Vec<f64>,
-    extras: Extras,
 }
 
 /// All items of a problem: home first, and for an open path a second one, wherever it ends. With a table home is the
@@ -177,13 +170,24 @@ impl Item {
         self.track.as_ref().map_or_else(of_point, |t| t.extras.half(self.along[knot]))
     }
 
+    /// The contour, if it may be entered anywhere.
+    #[cfg(feature = "research")]
+    pub(super) fn track(&self) -> Option<&Track> {
+        self.track.as_ref()
+    }
+
+    /// Where a knot is.
+    pub(super) fn place(&self, knot: usize) -> DVec2 {
+        let end = |p: &Piece| p.knots.iter().position(|&k| k == knot).map(|side| p.ends[side]);
+        self.pieces.iter().find_map(end).unwrap_or_default()
+    }
+
     /// Whether its pieces can be halved.
     pub(super) fn can_halve(&self) -> bool {
         self.track.is_some()
     }
 
     /// The same item with knots at these arc lengths along its track; without a track there must be none.
-    #[cfg(feature = "research")]
     pub(super) fn with_knots(&self, along: &[f64]) -> Option<Self> {
         let Some(track) = &self.track else { return along.is_empty().then(|| self.clone()) };
         let length = track.length();
@@ -232,39 +236,5 @@ impl Item {
 impl Piece {
     fn touches(&self, in_use: &[bool]) -> bool {
         self.knots.iter().any(|&k| in_use[k])
-    }
-}
-
-impl Track {
-    fn length(&self) -> f64 {
-        self.starts[self.starts.len() - 1]
-    }
-
-    /// Largest distance between the track from `from` to `to` (which may go beyond its end) and its chord, both run at
-    /// even speed, mm. Between element ends the distance to a straight element is greatest at an end; a curve of radius
-    /// r and length h lies within h^2 / 8 r of its own chord.
-    fn off_chord(&self, from: f64, to: f64, ends: [DVec2; 2]) -> f64 {
-        let length = self.length();
-        let span = to - from;
-        if span <= 0.0 {
-            return 0.0;
-        }
-        let (mut at_joints, mut of_curves): (f64, f64) = (0.0, 0.0);
-        for lap in [0.0, length] {
-            for (s, w) in self.path.segments.iter().zip(self.starts.windows(2)) {
-                let (a, b) = ((w[0] + lap).max(from), (w[1] + lap).min(to));
-                if a >= b {
-                    continue;
-                }
-                if let Segment::Arc(arc) = s {
-                    of_curves = of_curves.max((b - a) * (b - a) / (8.0 * arc.radius()));
-                }
-                if b < to {
-                    let share = (b - from) / span;
-                    at_joints = at_joints.max(s.end().distance(ends[0] + (ends[1] - ends[0]) * share));
-                }
-            }
-        }
-        at_joints + of_curves
     }
 }

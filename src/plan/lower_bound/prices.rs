@@ -2,6 +2,8 @@
 
 use super::extras::HAS_EXTRAS;
 use super::minorant::Minorant;
+#[cfg(feature = "research")]
+use super::mixtures::Mixtures;
 use super::net::{Item, Piece};
 use crate::geometry::DVec2;
 use crate::problem::{NodeId, Problem, Table};
@@ -14,6 +16,9 @@ pub(super) struct Prices {
     end: Option<usize>,
     table: Option<Box<Given>>,
     directed: bool,
+    /// How much each axis counts in some legs.
+    #[cfg(feature = "research")]
+    pub(super) mixtures: Mixtures,
     #[cfg(feature = "research")]
     none_below: Option<f64>,
 }
@@ -38,6 +43,8 @@ impl Prices {
             end: (given.is_none() && !problem.closed).then_some(1),
             table: given,
             directed: problem.table().is_some_and(|t| !t.is_symmetric()),
+            #[cfg(feature = "research")]
+            mixtures: Mixtures::default(),
             #[cfg(feature = "research")]
             none_below: None,
         }
@@ -72,7 +79,13 @@ impl Prices {
                 [[given.table.cost(a, b); 2]; 2]
             }
             _ if self.end == Some(items[0]) => [[0.0; 2]; 2],
-            _ => self.minorant.corners(p, q),
+            _ => {
+                #[cfg(feature = "research")]
+                let mixture = self.mixtures.between(items);
+                #[cfg(not(feature = "research"))]
+                let mixture = None;
+                self.minorant.corners(p, q, mixture)
+            }
         };
         let corners = if HAS_EXTRAS {
             [0, 1].map(|i| [0, 1].map(|j| seconds[i][j] + p.halves[i] + q.halves[j]))

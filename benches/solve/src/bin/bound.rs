@@ -12,7 +12,7 @@ mod source;
 
 use cpu_time::ThreadTime;
 use kerfway::plan::{Certified, FlowBound, LowerBound, ShareBound, StopBound};
-use kerfway::solve;
+use kerfway::solve::{self, Solution};
 use source::Source;
 
 /// Work between two looks at the clock: a few milliseconds.
@@ -51,13 +51,15 @@ fn main() {
                     if open {
                         (source.problem.closed, source.problem.machine.return_home) = (false, false);
                     }
+                    let mut path = None;
                     if let Some(moves) = moves {
                         let mut search = solve::methods()[0].start(&source.problem, 1, None);
                         search.step(moves);
                         let fixed: f64 = source.problem.items.iter().map(|i| i.fixed).sum();
                         source.known = Some(search.best().cost + fixed - source.problem.paid());
+                        path = Some(search.best().clone());
                     }
-                    bound(source, seconds, upper, which);
+                    bound(source, seconds, upper, which, path.as_ref());
                 }
             }
             Err(why) => {
@@ -94,6 +96,11 @@ impl Kind {
         }
     }
 
+    /// The travel of the best path that it knows itself, s.
+    fn known(&self) -> f64 {
+        if let Self::Search(bound) = self { bound.known() } else { f64::INFINITY }
+    }
+
     fn value(&self) -> f64 {
         match self {
             Self::Search(bound) => bound.value(),
@@ -104,14 +111,18 @@ impl Kind {
     }
 }
 
-fn bound(source: &Source, seconds: f64, upper: Option<f64>, which: Which) {
+fn bound(source: &Source, seconds: f64, upper: Option<f64>, which: Which, path: Option<&Solution>) {
     let Some(upper) = upper.or(source.known) else {
         eprintln!("{}: no value is known; give one by --upper.", source.name);
         return;
     };
     let clock = ThreadTime::now();
     let bound = match which {
-        Which::Search => Some(Kind::Search(LowerBound::new(&source.problem))),
+        Which::Search => {
+            let mut bound = LowerBound::new(&source.problem);
+            path.iter().for_each(|path| bound.knows(&source.problem, path));
+            Some(Kind::Search(bound))
+        }
         Which::Shares => ShareBound::new(&source.problem).map(|b| Kind::Shares(Box::new(b))),
         Which::Flows => FlowBound::new(&source.problem).map(|b| Kind::Flows(Box::new(b))),
         Which::Stops => StopBound::new(&source.problem).map(|b| Kind::Stops(Box::new(b))),
@@ -129,7 +140,7 @@ fn bound(source: &Source, seconds: f64, upper: Option<f64>, which: Which) {
             next = 2.0 * now;
             let value = bound.value();
             let row = serde_json::json!({
-                "instance": source.name, "items": source.problem.items.len(), "known": upper, "bound": value,
+                "instance": source.name, "items": source.problem.items.len(), "known": upper, "best": upper.min(bound.known()), "bound": value,
                 "gap_percent": 100.0 * (upper / value - 1.0), "seconds": now, "numbers": slices * u64::from(SLICE), "longest_slice": longest,
                 "done": !more,
             });

@@ -71,9 +71,17 @@ impl Strong {
             }
             Some(Left::Orders(better)) => {
                 self.no_less_than(better.seconds);
+                #[cfg(feature = "research")]
+                let is_new = self.learn_in_look(&better.walks, upper - self.best);
+                #[cfg(not(feature = "research"))]
+                let is_new = false;
                 self.walks = better.walks.into_iter().map(|walk| (1.0, walk)).collect();
                 (self.looked.has_begun, self.looked.until) = (true, u64::MAX);
-                if self.best < upper * (1.0 - self.exact()) && self.refine_orders(upper, &better.in_use) {
+                let goal = upper * (1.0 - self.exact());
+                if self.best < goal && (self.refine_orders(upper, &better.in_use) || is_new) {
+                    if is_new {
+                        self.looked.begin_again(&mut self.ground.items);
+                    }
                     self.prepare(true);
                 } else {
                     self.task = Task::Nothing;
@@ -98,6 +106,10 @@ impl Strong {
     /// Goes on without a look at all orders.
     fn give_up(&mut self, upper: f64) {
         self.looked.given_up_at = upper - self.best;
+        #[cfg(feature = "research")]
+        if self.looked.has_begun && self.drop_mixtures(upper - self.best) {
+            return;
+        }
         if self.looked.is_last || self.looked.has_begun {
             self.task = Task::Nothing;
         } else {

@@ -25,7 +25,7 @@ pub(super) fn crossings(walk: &[Visit], cut: &Cut) -> f64 {
 }
 
 /// The legs of a walk from home and back to it, between the knots where they start and end.
-pub(super) fn legs(walk: &[Visit], ground: &Ground) -> Vec<[Visit; 2]> {
+pub(in super::super) fn legs(walk: &[Visit], ground: &Ground) -> Vec<[Visit; 2]> {
     let mut from = Visit { item: 0, knot: 0 };
     let mut legs = Vec::with_capacity(walk.len() + 1);
     for &to in walk {

@@ -21,6 +21,16 @@ pub(super) struct Looks {
 }
 
 impl Looks {
+    /// Begins with new mixtures, which may price pieces that were dropped lower than before: all contours are whole again, with the knots of all looks.
+    pub(super) fn begin_again(&mut self, items: &mut [Item]) {
+        self.add_knots(items);
+        for (item, knots) in items.iter_mut().zip(std::mem::take(&mut self.knots)) {
+            if let Some(whole) = item.with_knots(&knots) {
+                *item = whole;
+            }
+        }
+    }
+
     /// Adds the knots of the items of a look that has ended.
     pub(super) fn add_knots(&mut self, items: &[Item]) {
         self.knots.resize(items.len(), Vec::new());

@@ -6,6 +6,10 @@ mod close;
 mod company;
 mod cuts;
 mod excess;
+#[cfg(feature = "research")]
+mod known;
+#[cfg(feature = "research")]
+mod learn;
 mod looks;
 #[cfg(feature = "research")]
 mod record;
@@ -25,9 +29,11 @@ use crate::problem::Problem;
 use bundle::Bundle;
 pub(super) use company::nearest_company;
 use excess::seconds;
+#[cfg(feature = "research")]
+use known::Known;
 use looks::{LOOKS_AT_ORDERS, Looks};
 #[cfg(feature = "research")]
-pub(super) use record::Record;
+pub(super) use {excess::legs, record::Record};
 
 /// Most steps of the charges in a round: none needed more than a third of them.
 const MOST_LOOKS: usize = 600;
@@ -69,6 +75,9 @@ pub(super) struct Strong {
     walks: Vec<(f64, Vec<Visit>)>,
     /// The company of each item in the round before.
     company_before: Vec<Vec<usize>>,
+    /// The best path that is known with its best entries.
+    #[cfg(feature = "research")]
+    known: Known,
     /// There are no cuts any more, see [`Strong::begin_orders`].
     without_cuts: bool,
     /// Walks cannot remember more: there would be too many states.
@@ -112,6 +121,8 @@ impl Strong {
             looks: 0,
             walks: Vec::new(),
             company_before: vec![Vec::new(); count],
+            #[cfg(feature = "research")]
+            known: Known::default(),
             without_cuts: false,
             full: false,
             orders: None,
@@ -127,6 +138,8 @@ impl Strong {
 
     /// Does one piece of work and returns its size; 0 if nothing is left to do.
     pub(super) fn once(&mut self, upper: f64) -> u64 {
+        #[cfg(feature = "research")]
+        let upper = upper.min(self.known.seconds);
         let work = self.task(upper);
         self.work += work;
         work
@@ -136,15 +149,16 @@ impl Strong {
         match self.task {
             Task::Scan => {
                 let ground = &self.ground;
-                self.scan.next(&ground.items, ground.first, &ground.prices).unwrap_or_else(|| {
-                    self.wanted = self.scan.wanted(ground.first, ground.items.len());
-                    if ground.prices.directed() {
-                        let back: Vec<_> = self.wanted.iter().map(|&[a, b]| [b, a]).collect();
-                        self.wanted.extend(back);
-                    }
-                    self.task = Task::Table(0);
-                    1
-                })
+                if let Some(work) = self.scan.next(&ground.items, ground.first, &ground.prices) {
+                    return work;
+                }
+                self.wanted = self.scan.wanted(ground.first, ground.items.len());
+                if ground.prices.directed() {
+                    let back: Vec<_> = self.wanted.iter().map(|&[a, b]| [b, a]).collect();
+                    self.wanted.extend(back);
+                }
+                self.task = Task::Table(0);
+                1
             }
             Task::Table(next) => {
                 let Some(&[a, b]) = self.wanted.get(next) else {

@@ -2,6 +2,7 @@
 
 use super::super::certificate::{Certified, divided, unit, units};
 use super::super::charges::Charges;
+use super::super::mixtures::Mixtures;
 use super::super::priced_cuts::PricedCut;
 use super::super::prices::Prices;
 use super::super::walk_certificate::WalkCertificate;
@@ -17,6 +18,7 @@ pub(in super::super) struct Record {
     near: Vec<Vec<usize>>,
     company: Vec<Vec<usize>>,
     charges: Charges,
+    mixtures: Mixtures,
     /// If the value is not that of walks but of all orders: the knots of all looks at them, also of pieces that were dropped.
     looks: Option<Vec<Vec<f64>>>,
     /// And the walks before.
@@ -42,6 +44,7 @@ impl Record {
             near: near.into_iter().map(sorted).collect(),
             company: ground.company.iter().cloned().map(sorted).collect(),
             charges: charges.clone(),
+            mixtures: ground.prices.mixtures.clone(),
             looks: None,
             before: None,
         }
@@ -80,6 +83,7 @@ impl Record {
             company: self.company.clone(),
             charges: charges.iter().map(|&charge| units(charge, power)).collect(),
             cuts: self.charges.cuts().iter().zip(prices).map(cut).filter(|c| c.price > 0).collect(),
+            mixtures: self.mixtures.list(),
             all_orders,
             bound: units(self.value, power),
         };

@@ -4,7 +4,6 @@ use super::super::net::{Item, Piece};
 use super::super::walks::{Ground, Visit};
 use super::Strong;
 use super::excess::legs;
-use crate::geometry::DVec2;
 use crate::order::sort_by;
 
 /// Largest company of an item: its states may double with each member.
@@ -128,10 +127,5 @@ impl Strong {
 fn lost(ground: &Ground, [from, to]: [Visit; 2]) -> f64 {
     let Some(seconds) = ground.leg(from, to) else { return 0.0 };
     let stops = [from, to].map(|v| (&ground.items[v.item], v.knot));
-    ground.prices.real(stops.map(|(item, knot)| (item, knot, place(item, knot)))) - seconds
-}
-
-fn place(item: &Item, knot: usize) -> DVec2 {
-    let end = |p: &Piece| p.knots.iter().position(|&k| k == knot).map(|side| p.ends[side]);
-    item.pieces.iter().find_map(end).unwrap_or_default()
+    ground.prices.real(stops.map(|(item, knot)| (item, knot, item.place(knot)))) - seconds
 }

@@ -27,6 +27,7 @@ mod shortest;
 mod states;
 
 use super::certificate::{CertificateFault, Certified, divided, unit};
+use super::mixtures::{MixedLegs, Mixtures};
 use super::net::{Item, homes};
 use super::order::Order;
 use super::priced_cuts::{Cuts, PricedCut};
@@ -59,6 +60,9 @@ pub struct WalkCertificate {
     pub charges: Vec<i64>,
     /// The cuts with prices.
     pub cuts: Vec<PricedCut>,
+    /// How much x counts in legs where that is not left to the check, in ascending order of the items.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub mixtures: Vec<MixedLegs>,
     /// Whether the bound follows only if all orders are looked at that may take less.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub all_orders: bool,
@@ -75,7 +79,9 @@ impl Certified for WalkCertificate {
         if !applies(problem) {
             return Err(CertificateFault::Problem);
         }
-        let ground = read(&self.knots, [&self.near, &self.company], self.unit, problem)?;
+        let mut ground = read(&self.knots, [&self.near, &self.company], self.unit, problem)?;
+        let mixtures = Mixtures::read(&self.mixtures, ground.items.len());
+        ground.prices.mixtures = mixtures.ok_or(CertificateFault::Shape("mixtures"))?;
         self.fits(ground.items.len(), ground.first)?;
         let states = ground.states()?;
         let walks = ground.walks(&states);

@@ -1,0 +1,24 @@
+//! The best path that is known, with its best entries, on machines whose axes have limits of their own (`level`). Its mixtures price legs, and no order that
+//! takes longer is looked at.
+//!
+//! It comes from a search beside the bound or from a look at all orders, which may find a better one (`learn.rs`). Mixtures are used once such a look
+//! has come to its end, when pieces are small where it matters.
+
+use super::super::mixtures::Mixtures;
+
+/// A known path.
+#[derive(Debug)]
+pub(super) struct Known {
+    /// Its travel, s.
+    pub(super) seconds: f64,
+    /// Its mixtures, until they are used.
+    pub(super) mixtures: Option<Mixtures>,
+    /// They are not used before the gap is as small as this, s.
+    pub(super) wait_for: f64,
+}
+
+impl Default for Known {
+    fn default() -> Self {
+        Self { seconds: f64::INFINITY, mixtures: None, wait_for: f64::INFINITY }
+    }
+}

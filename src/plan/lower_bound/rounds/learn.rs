@@ -1,0 +1,83 @@
+//! How the bound learns of paths, and prices legs by the mixtures of the best one.
+
+use super::super::level::level;
+use super::super::mixtures::Mixtures;
+use super::super::net::Item;
+use super::super::walks::Visit;
+use super::Strong;
+use super::known::Known;
+use crate::geometry::DVec2;
+
+/// Paths whose seconds differ by a smaller share are the same.
+const SAME_PATH: f64 = 1e-9;
+/// After a look that mixtures made too large, they are taken again when the gap has fallen to this share: after one or two looks without them.
+const AGAIN: f64 = 0.25;
+
+/// A stop of a path: which contour, counted from 0, where on its track, mm, and where the head arrives.
+pub(in super::super) type Entry = (usize, f64, DVec2);
+
+impl Strong {
+    /// Learns of a path. Once all orders are looked at, these show better ones themselves.
+    pub(in super::super) fn knows(&mut self, path: &[Entry]) {
+        if self.looked.has_begun || self.ground.prices.given() {
+            return;
+        }
+        let items = &self.ground.items;
+        let visit = |&(contour, along, place): &Entry| {
+            let item = self.ground.first + contour;
+            items.get(item).map(|of| Visit { item, knot: nearest(of, along, place) })
+        };
+        if let Some(walk) = path.iter().map(visit).collect::<Option<Vec<_>>>() {
+            self.learn(&[walk]);
+        }
+    }
+
+    /// The travel of the best path that is known, s.
+    pub(in super::super) fn known(&self) -> f64 {
+        self.known.seconds
+    }
+
+    /// Finds the best entries of these orders. Returns whether one of the paths is the best so far.
+    fn learn(&mut self, orders: &[Vec<Visit>]) -> bool {
+        let levels = orders.iter().filter_map(|walk| level(&self.ground, walk));
+        let best = levels.min_by(|a, b| a.seconds.total_cmp(&b.seconds));
+        let Some(best) = best.filter(|b| b.seconds < self.known.seconds * (1.0 - SAME_PATH)) else {
+            return false;
+        };
+        self.known = Known { seconds: best.seconds, mixtures: Some(best.mixtures), ..self.known };
+        true
+    }
+
+    /// The same for the orders that a look leaves. Legs are priced by the mixtures of the best path from now on; returns whether they are new. `gap`: between
+    /// the known path and the bound, s.
+    pub(super) fn learn_in_look(&mut self, orders: &[Vec<Visit>], gap: f64) -> bool {
+        self.learn(orders);
+        let new = self.known.mixtures.take_if(|_| gap <= self.known.wait_for);
+        let is_new = new.is_some();
+        if let Some(mixtures) = new {
+            self.ground.prices.mixtures = mixtures;
+        }
+        is_new
+    }
+
+    /// After a look that was given up: goes on without mixtures, if there are any, and takes them again when the gap is smaller. On large pieces they lie lower
+    /// than the closest functions, so that more orders may be left than there is room for.
+    pub(super) fn drop_mixtures(&mut self, gap: f64) -> bool {
+        let dropped = std::mem::take(&mut self.ground.prices.mixtures);
+        let had_any = dropped != Mixtures::default();
+        if had_any {
+            self.known.wait_for = AGAIN * gap;
+            self.known.mixtures.get_or_insert(dropped);
+            self.looked.begin_again(&mut self.ground.items);
+            self.prepare(true);
+        }
+        had_any
+    }
+}
+
+/// The knot of an item that is nearest to a stop.
+fn nearest(item: &Item, along: f64, place: DVec2) -> usize {
+    let far =
+        |knot: usize| item.along.get(knot).map_or(item.place(knot).distance(place), |at| (at - along).abs());
+    (0..item.knots).min_by(|&a, &b| far(a).total_cmp(&far(b))).unwrap_or(0)
+}
