@@ -147,6 +147,9 @@ pub struct LowerBound {
     /// The travel of the best path it knew then, s.
     #[cfg(feature = "research")]
     known: f64,
+    /// The same bound before it began, if it uses what is known from the start (`rounds/known.rs`): it takes over if that comes to no end.
+    #[cfg(feature = "research")]
+    spare: Option<Box<Strong>>,
 }
 
 #[derive(Debug)]
@@ -179,6 +182,8 @@ impl LowerBound {
             record: None,
             #[cfg(feature = "research")]
             known: f64::INFINITY,
+            #[cfg(feature = "research")]
+            spare: None,
         }
     }
 
@@ -193,6 +198,10 @@ impl LowerBound {
                 Method::Done(_) => 0,
             };
             if done == 0 {
+                #[cfg(feature = "research")]
+                if self.begin_again(upper) {
+                    continue;
+                }
                 #[cfg(feature = "research")]
                 if let Method::Strong(strong) = &mut self.method {
                     self.record = strong.record.take();
@@ -215,10 +224,26 @@ impl LowerBound {
                 let contour = problem.nodes.get(stop.node as usize)?.item as usize;
                 Some((contour, stop.along, stop.ends(problem)?.0))
             };
-            if let Some(path) = path.stops.iter().map(entry).collect::<Option<Vec<_>>>() {
-                strong.knows(&path);
+            if let Some(path) = path.stops.iter().map(entry).collect::<Option<Vec<_>>>()
+                && strong.knows(&path)
+            {
+                self.spare = Some(Box::new(Strong::new(problem)));
             }
         }
+    }
+
+    /// Lets the spare bound take over from one that came to no end. Returns whether there is one.
+    #[cfg(feature = "research")]
+    fn begin_again(&mut self, upper: f64) -> bool {
+        let (Some(mut next), Method::Strong(first)) = (self.spare.take(), &mut self.method) else {
+            return false;
+        };
+        if first.has_proven(upper) {
+            return false;
+        }
+        next.take_over(first);
+        self.method = Method::Strong(next);
+        true
     }
 
     /// The travel of the best path that it knows with its best entries, s, which it may have found itself; infinite where it knows none. If the bound is as

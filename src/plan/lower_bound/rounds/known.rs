@@ -1,8 +1,10 @@
 //! The best path that is known, with its best entries, on machines whose axes have limits of their own (`level`). Its mixtures price legs, and no order that
 //! takes longer is looked at.
 //!
-//! It comes from a search beside the bound or from a look at all orders, which may find a better one (`learn.rs`). Mixtures are used once such a look
-//! has come to its end, when pieces are small where it matters.
+//! It comes from a search beside the bound or from a look at all orders, which may find a better one (`learn.rs`). If it is known before the walks
+//! begin, they use its mixtures from their first round on, so that charges fit them; this proves the optimum soonest. But mixtures on large pieces prove less than the
+//! closest functions, and it may come to no end. Then everything begins again (`LowerBound`), and mixtures are used once a look at all orders has come to its end, when
+//! pieces are small where it matters.
 
 use super::super::mixtures::Mixtures;
 
@@ -15,10 +17,12 @@ pub(super) struct Known {
     pub(super) mixtures: Option<Mixtures>,
     /// They are not used before the gap is as small as this, s.
     pub(super) wait_for: f64,
+    /// It was known before the walks began, which use its mixtures from their first round on.
+    pub(super) from_start: bool,
 }
 
 impl Default for Known {
     fn default() -> Self {
-        Self { seconds: f64::INFINITY, mixtures: None, wait_for: f64::INFINITY }
+        Self { seconds: f64::INFINITY, mixtures: None, wait_for: f64::INFINITY, from_start: false }
     }
 }

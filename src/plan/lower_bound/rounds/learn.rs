@@ -17,19 +17,21 @@ const AGAIN: f64 = 0.25;
 pub(in super::super) type Entry = (usize, f64, DVec2);
 
 impl Strong {
-    /// Learns of a path. Once all orders are looked at, these show better ones themselves.
-    pub(in super::super) fn knows(&mut self, path: &[Entry]) {
+    /// Learns of a path. Once all orders are looked at, these show better ones themselves. Returns whether it is the first one and walks have not begun.
+    pub(in super::super) fn knows(&mut self, path: &[Entry]) -> bool {
         if self.looked.has_begun || self.ground.prices.given() {
-            return;
+            return false;
         }
         let items = &self.ground.items;
         let visit = |&(contour, along, place): &Entry| {
             let item = self.ground.first + contour;
             items.get(item).map(|of| Visit { item, knot: nearest(of, along, place) })
         };
-        if let Some(walk) = path.iter().map(visit).collect::<Option<Vec<_>>>() {
-            self.learn(&[walk]);
-        }
+        let walk = path.iter().map(visit).collect::<Option<Vec<_>>>();
+        let is_new = walk.is_some_and(|walk| self.learn(&[walk]));
+        let is_first = is_new && self.work == 0 && !self.known.from_start;
+        self.known.from_start |= is_first;
+        is_first
     }
 
     /// The travel of the best path that is known, s.
@@ -52,7 +54,12 @@ impl Strong {
     /// the known path and the bound, s.
     pub(super) fn learn_in_look(&mut self, orders: &[Vec<Visit>], gap: f64) -> bool {
         self.learn(orders);
-        let new = self.known.mixtures.take_if(|_| gap <= self.known.wait_for);
+        gap <= self.known.wait_for && self.take_mixtures()
+    }
+
+    /// Prices legs by the mixtures of the best path, if they are new. Returns whether they are: tables must be made again.
+    fn take_mixtures(&mut self) -> bool {
+        let new = self.known.mixtures.take();
         let is_new = new.is_some();
         if let Some(mixtures) = new {
             self.ground.prices.mixtures = mixtures;
@@ -60,9 +67,30 @@ impl Strong {
         is_new
     }
 
+    /// The same between rounds, if walks use mixtures.
+    pub(super) fn take_in_round(&mut self) -> bool {
+        self.known.from_start && self.take_mixtures()
+    }
+
+    /// Whether the known path is proven optimal, as far as orders are looked at, and rounding.
+    pub(in super::super) fn has_proven(&self, upper: f64) -> bool {
+        self.best >= upper.min(self.known.seconds) * (1.0 - 2.0 * self.exact())
+    }
+
+    /// Goes on in place of a bound whose walks used mixtures from the start and came to no end. Nothing has been done yet.
+    pub(in super::super) fn take_over(&mut self, first: &mut Self) {
+        (self.best, self.record) = (first.best, first.record.take());
+        let mixtures =
+            first.known.mixtures.take().or_else(|| Some(std::mem::take(&mut first.ground.prices.mixtures)));
+        self.known = Known { seconds: first.known.seconds, mixtures, ..Known::default() };
+    }
+
     /// After a look that was given up: goes on without mixtures, if there are any, and takes them again when the gap is smaller. On large pieces they lie lower
     /// than the closest functions, so that more orders may be left than there is room for.
     pub(super) fn drop_mixtures(&mut self, gap: f64) -> bool {
+        if self.known.from_start {
+            return false;
+        }
         let dropped = std::mem::take(&mut self.ground.prices.mixtures);
         let had_any = dropped != Mixtures::default();
         if had_any {

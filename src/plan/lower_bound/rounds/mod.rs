@@ -157,6 +157,8 @@ impl Strong {
                     let back: Vec<_> = self.wanted.iter().map(|&[a, b]| [b, a]).collect();
                     self.wanted.extend(back);
                 }
+                #[cfg(feature = "research")]
+                self.take_in_round();
                 self.task = Task::Table(0);
                 1
             }
@@ -266,6 +268,11 @@ impl Strong {
 
     /// Looks at all orders if few may be left, and begins a round otherwise.
     fn next_round(&mut self, upper: f64) {
+        #[cfg(feature = "research")]
+        if self.take_in_round() {
+            self.begin_round(true);
+            return;
+        }
         if !self.begin_orders(upper, false) {
             self.sharpen(upper);
         }
@@ -284,11 +291,16 @@ impl Strong {
             }
             return;
         }
+        self.begin_round(finer || nearer);
+    }
+
+    /// Begins a round with the best charges. `finer`: tables are made again.
+    fn begin_round(&mut self, finer: bool) {
         self.charges.clone_from(&self.bundle.best);
         let ground = &self.ground;
         self.bundle.begin_round(|walk| ground.is_walk(walk));
         self.looks = 0;
-        self.prepare(finer || nearer);
+        self.prepare(finer);
     }
 
     /// Makes the tables again if there are new knots, and then the states.
