@@ -75,12 +75,9 @@ impl Minorant {
         let floor = self.air.seconds(DVec2::ZERO, near);
         let mut best = [[floor; 2]; 2];
         let mut least = loss(&exact, &best);
-        let at_corners = |(a0, e): (f64, DVec2)| {
+        let mut offer = |a0: f64, e: DVec2| {
             let a0 = a0 + added - e.length() * off;
-            [0, 1].map(|i| [0, 1].map(|j| a0 + e.dot(q.ends[j] - p.ends[i])))
-        };
-        let mut offer = |function: (f64, DVec2)| {
-            let values = at_corners(function);
+            let values = [0, 1].map(|i| [0, 1].map(|j| a0 + e.dot(q.ends[j] - p.ends[i])));
             let lost = loss(&exact, &values);
             if lost < least {
                 (best, least) = (values, lost);
@@ -89,25 +86,26 @@ impl Minorant {
         if self.by_distance {
             let unit = middle.normalize_or_zero();
             let (a0, slope) = self.chord(DVec2::X, near.length(), far.length());
-            offer((a0, slope * unit));
+            offer(a0, slope * unit);
         } else {
             let way = DVec2::new(1.0_f64.copysign(middle.x), 1.0_f64.copysign(middle.y));
             let (x0, x1) = self.chord(DVec2::X, near.x, far.x);
             let (y0, y1) = self.chord(DVec2::Y, near.y, far.y);
-            let mixed = |x: f64| {
-                let y = 1.0 - x;
-                (x * x0 + y * y0, DVec2::new(x * x1 * way.x, y * y1 * way.y))
-            };
-            [1.0, 0.0, 0.5].into_iter().for_each(|x| offer(mixed(x)));
+            offer(x0, DVec2::new(x1 * way.x, 0.0));
+            offer(y0, DVec2::new(0.0, y1 * way.y));
+            offer(0.5 * (x0 + y0), DVec2::new(0.5 * x1 * way.x, 0.5 * y1 * way.y));
             if HAS_PLANES && let Some(limits) = &self.limits {
                 let planes = APART.into_iter().filter(|_| !limits.each_axis);
                 let tried = planes.filter_map(|shares| plane(limits, shares, away, reach));
-                tried.for_each(|(a0, e)| offer((a0, e * way)));
-                let given = mixture.and_then(|shares| match limits.each_axis {
-                    true => Some(mixed(shares[0])),
-                    false => plane(limits, shares, away, reach).map(|(a0, e)| (a0, e * way)),
+                tried.for_each(|(a0, e)| offer(a0, e * way));
+                let given = mixture.and_then(|shares| {
+                    let [x, y] = [shares[0], 1.0 - shares[0]];
+                    let by_axis = || (x * x0 + y * y0, DVec2::new(x * x1, y * y1));
+                    if limits.each_axis { Some(by_axis()) } else { plane(limits, shares, away, reach) }
                 });
-                if let Some(values) = given.map(at_corners) {
+                if let Some((a0, e)) = given {
+                    let (a0, e) = (a0 + added - e.length() * off, e * way);
+                    let values = [0, 1].map(|i| [0, 1].map(|j| a0 + e.dot(q.ends[j] - p.ends[i])));
                     let below = best.as_flattened().iter().zip(values.as_flattened()).any(|(b, v)| b < v);
                     if below && loss(&exact, &values) < WORSE * least {
                         best = values;
