@@ -39,7 +39,7 @@ impl Mixtures {
         self.0.entry([a.min(b), a.max(b)]).or_insert(mixture.map(whole));
     }
 
-    /// Those of a certificate for so many items; `None` if they do not fit.
+    /// The mixtures that a certificate states, for this number of items; `None` if they do not fit.
     pub(super) fn read(list: &[MixedLegs], count: usize) -> Option<Self> {
         let fits =
             |l: &MixedLegs| l.items[0] < l.items[1] && l.items[1] < count && l.speed.max(l.ramps) <= ONE;

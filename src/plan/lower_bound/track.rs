@@ -7,7 +7,7 @@ use crate::order::{real, sort_by};
 
 /// Arc lengths that differ by less are the same, mm.
 #[cfg(feature = "research")]
-const SAME: f64 = 1e-9;
+pub(super) const SAME: f64 = 1e-9;
 
 /// A contour that may be entered anywhere.
 #[derive(Clone, Debug)]

@@ -120,7 +120,9 @@ fn bound(source: &Source, seconds: f64, upper: Option<f64>, which: Which, path: 
     let bound = match which {
         Which::Search => {
             let mut bound = LowerBound::new(&source.problem);
-            path.iter().for_each(|path| bound.knows(&source.problem, path));
+            if let Some(path) = path {
+                bound.knows(&source.problem, path);
+            }
             Some(Kind::Search(bound))
         }
         Which::Shares => ShareBound::new(&source.problem).map(|b| Kind::Shares(Box::new(b))),

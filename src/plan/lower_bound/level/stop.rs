@@ -1,13 +1,11 @@
 //! A stop that slides along its contour.
 
 use super::super::net::Item;
-use super::super::track::Track;
+use super::super::track::{SAME, Track};
 use crate::geometry::DVec2;
 
 /// Steps for slopes and curvatures, mm: a thousandth of what matters in a drawing, and far above rounding.
 const STEP: f64 = 1e-3;
-/// Arc lengths that differ by less are the same, mm.
-const SAME: f64 = 1e-9;
 
 /// A stop of a path.
 #[derive(Debug)]

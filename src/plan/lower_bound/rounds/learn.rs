@@ -59,12 +59,9 @@ impl Strong {
 
     /// Prices legs by the mixtures of the best path, if they are new. Returns whether they are: tables must be made again.
     fn take_mixtures(&mut self) -> bool {
-        let new = self.known.mixtures.take();
-        let is_new = new.is_some();
-        if let Some(mixtures) = new {
-            self.ground.prices.mixtures = mixtures;
-        }
-        is_new
+        let Some(mixtures) = self.known.mixtures.take() else { return false };
+        self.ground.prices.mixtures = mixtures;
+        true
     }
 
     /// The same between rounds, if walks use mixtures.
