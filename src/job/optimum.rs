@@ -1,6 +1,7 @@
 //! Proof that a path is optimal, for jobs of few contours. The lower bound needs a good path to compare with, so a search of its own
 //! runs beside it. For more contours it only proves a bound, which is the stronger one up to some hundred contours.
 
+use super::warm_path::{self, WarmPath};
 use crate::plan::{LowerBound, WalkCertificate};
 use crate::problem::Problem;
 use crate::solve::{self, Running};
@@ -47,8 +48,30 @@ impl Optimum {
                 self.bound.knows(self.running.borrow_owner(), best);
             }
             self.more = self.bound.improve(TURN, best.cost);
+            self.take_over();
         }
         self.more
+    }
+
+    /// Offers the search a better path that the bound has found, so that its own paths and that of the bound are compared in one place.
+    fn take_over(&mut self) {
+        self.running.with_dependent_mut(|problem, search| {
+            let found = self.bound.better_than(search.best().cost, problem);
+            let priced = found.map(|path| solve::priced(problem, path));
+            if let Some(path) = priced.filter(|path| warm_path::is_feasible(&path.stops, problem)) {
+                search.offer(&path);
+            }
+        });
+    }
+
+    /// The best path that the search or the bound has found. `None` if it cannot be told by contours and places.
+    pub(super) fn path(&self) -> Option<WarmPath> {
+        warm_path::of(self.running.borrow_dependent().best(), self.running.borrow_owner())
+    }
+
+    /// The cost of this path, s.
+    pub(super) fn cost(&self) -> f64 {
+        self.running.borrow_dependent().best().cost
     }
 
     /// The certificate of the bound by walks or by all orders, if it proves more than `above`, s.

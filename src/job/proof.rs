@@ -5,7 +5,7 @@
 //! [`FlowCertificate`], of the [`Certificate`] by shares, of the [`WalkCertificate`] or of the [`StopCertificate`] are added up again in whole numbers. How they were found does not matter, and no search is needed.
 
 use super::optimum::{Optimum, TURN};
-use super::{Job, JobError, LoadOptions, MachineChoice, Place, PlanOptions};
+use super::{Job, JobError, LoadOptions, MachineChoice, Place, PlanOptions, WarmPath};
 use crate::drawing::TextDecoder;
 use crate::machine::{Profile, Start};
 use crate::output::{json_text, sha256};
@@ -132,6 +132,8 @@ pub struct Proof {
     optimum: Option<Optimum>,
     /// Work that is granted and not yet done: less than a turn.
     left: u64,
+    /// The cost of the path that was told last, s.
+    told: f64,
 }
 
 impl Proof {
@@ -165,7 +167,7 @@ impl Proof {
         let paid = problem.paid();
         let of_tours = matches!(bound, Some(Bound::Flows(_) | Bound::Shares(_)));
         let optimum = if of_tours { Optimum::new(&problem) } else { None };
-        Ok(Self { file, problem, paid, bound, optimum, left: 0 })
+        Ok(Self { file, problem, paid, bound, optimum, left: 0, told: f64::INFINITY })
     }
 
     /// Why nothing can be proven in this way; `None` if it can.
@@ -192,6 +194,14 @@ impl Proof {
     pub fn seconds(&self) -> f64 {
         let optimum = self.optimum.as_ref().map_or(0.0, Optimum::value);
         self.bound.as_ref().map_or(0.0, |bound| self.paid + bound.value().max(optimum))
+    }
+
+    /// The best path that it has found, if that is better than the one that was told before. `None` above 220 contours, and where contours may be left
+    /// unfinished or are cut as one.
+    pub fn better_path(&mut self) -> Option<WarmPath> {
+        let optimum = self.optimum.as_ref().filter(|optimum| optimum.cost() < self.told)?;
+        self.told = optimum.cost();
+        optimum.path()
     }
 
     /// The certificate file of the bound by flows, by shares, by walks or by stops that proves most; `None` if nothing is proven yet.

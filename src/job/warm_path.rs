@@ -3,6 +3,8 @@
 use super::JobError;
 use super::halves::joined;
 use crate::problem::{Item, NodeId, Problem, Span, SubPath};
+#[cfg(feature = "research")]
+use crate::solve;
 use crate::solve::{Solution, Stop};
 use rustc_hash::FxHashSet;
 use serde::{Deserialize, Serialize};
@@ -60,6 +62,21 @@ pub(super) fn solution(warm: &WarmPath, problem: &Problem) -> Result<Solution, J
         .filter(|stops| is_feasible(stops, problem))
         .map(|stops| Solution::new(problem, stops))
         .ok_or(JobError::UnfitPath)
+}
+
+/// The path of a solution in which every contour is cut by stops of its own. `None` if it cannot be told so, as with contours that are cut in halves.
+#[cfg(feature = "research")]
+pub(super) fn of(best: &Solution, problem: &Problem) -> Option<WarmPath> {
+    let mut path = WarmPath::default();
+    for stop in &best.stops {
+        let node = problem.nodes.get(stop.node as usize)?;
+        path.contours.push(node.item);
+        path.along.push(stop.along);
+        path.until.push(stop.until);
+        path.reversed.push(node.reversed.into());
+    }
+    let is_same = |told: Solution| solve::priced(problem, told).cost <= best.cost;
+    solution(&path, problem).is_ok_and(is_same).then_some(path)
 }
 
 /// One stop of the path.
@@ -156,7 +173,7 @@ struct Open<'p> {
 /// inside it or before what a sequence puts before it, or begun before a lower rank; only contours that may be left are, they
 /// are resumed where they were left, and visits nest.
 #[expect(clippy::float_cmp, reason = "visits of a contour join bit for bit")]
-fn is_feasible(stops: &[Stop], problem: &Problem) -> bool {
+pub(super) fn is_feasible(stops: &[Stop], problem: &Problem) -> bool {
     let mut finished = vec![None; problem.items.len()];
     let mut open: Vec<Open> = Vec::new();
     let mut rank = 0;

@@ -33,6 +33,17 @@ pub(super) fn geometry(g: &Geometry) -> Result<JsValue, JsError> {
     ])
 }
 
+/// What a search needs of a path to start from it, as typed arrays.
+#[cfg(feature = "research")]
+pub(super) fn warm_path(p: &WarmPath) -> Result<JsValue, JsError> {
+    object(&[
+        ("contours", Uint32Array::from(p.contours.as_slice()).into()),
+        ("along", Float64Array::from(p.along.as_slice()).into()),
+        ("until", Float64Array::from(p.until.as_slice()).into()),
+        ("reversed", Uint8Array::from(p.reversed.as_slice()).into()),
+    ])
+}
+
 /// The path of the head as typed arrays.
 pub(super) fn path(p: &BestPath) -> Result<JsValue, JsError> {
     object(&[

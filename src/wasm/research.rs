@@ -1,6 +1,6 @@
 //! Published methods, benchmark instances and proofs of the lower bound for JavaScript, which only the research build contains.
 
-use super::arrays::bytes;
+use super::arrays::{bytes, warm_path};
 use super::failure::Failure;
 use super::plain::plain;
 use super::planner::load_options_of;
@@ -12,7 +12,8 @@ use crate::solve::papers;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = "import type { LoadOptions, PaperMethod, StartOptions, Verified } from '../protocol.js';";
+const TYPES: &str =
+    "import type { LoadOptions, PaperMethod, StartOptions, Verified, WarmPath } from '../protocol.js';";
 
 /// The methods of published papers, with their parameters.
 #[wasm_bindgen(js_name = paperMethods, unchecked_return_type = "PaperMethod[]")]
@@ -101,6 +102,12 @@ impl Proof {
     /// No plan takes less, s.
     pub fn seconds(&self) -> f64 {
         self.0.seconds()
+    }
+
+    /// The best path that it has found, if that is better than the one that was told before.
+    #[wasm_bindgen(js_name = betterPath, unchecked_return_type = "WarmPath | null")]
+    pub fn better_path(&mut self) -> Result<JsValue, JsError> {
+        self.0.better_path().map_or(Ok(JsValue::NULL), |path| warm_path(&path))
     }
 
     /// The certificate file of the bound, if anything is proven.

@@ -82,6 +82,39 @@ fn jobs_on_machines_with_two_axes_are_proven_optimal() {
     }
 }
 
+/// The bound finds the best entries of the order that it is told of, and says where they are.
+#[test]
+fn a_better_path_of_the_bound_is_told_stop_by_stop() {
+    let mut dice = Dice::new(13);
+    for machine in machines() {
+        let problem = scattered(9, &mut dice, &machine);
+        // The path of a search that has hardly begun.
+        let mut search = solve::methods()[0].start(&problem, 1, None);
+        search.step(500);
+        let path = search.best().clone();
+        let (bound, _) = bound(&problem, &path, 2_000_000);
+        let found = bound.better_than(path.cost, &problem).unwrap();
+        let name = &machine.name;
+        assert!(
+            found.cost < path.cost && found.cost >= bound.value(),
+            "{name}: {} of {}",
+            found.cost,
+            path.cost
+        );
+        assert!(
+            (found.cost - bound.known()).abs() < 1e-9 * found.cost,
+            "{name}: {} is told as {}",
+            bound.known(),
+            found.cost
+        );
+        let mut contours: Vec<u32> =
+            found.stops.iter().map(|s| problem.nodes[s.node as usize].item).collect();
+        contours.sort_unstable();
+        assert_eq!(contours, (0..9).collect::<Vec<u32>>(), "{name}");
+        assert!(bound.better_than(found.cost, &problem).is_none(), "{name}");
+    }
+}
+
 /// Whatever the mixtures are, no more is proven than a path takes.
 #[test]
 fn any_mixtures_prove_no_more_than_a_path_takes() {

@@ -140,6 +140,45 @@ fn the_certificate_of_a_job_shows_that_its_path_is_optimal() {
     assert!(seconds <= path && seconds >= path * (1.0 - 1e-6), "{seconds} of {path}");
 }
 
+/// A proof finds a path of its own, which the plan takes over: on a machine with two axes it has the best entries.
+#[test]
+fn a_plan_takes_over_the_better_path_of_its_proof() {
+    for machine in ["co2-100w", "fibre-3kw-thin", "length"] {
+        let drawing = grid(4, 3);
+        let options =
+            PlanOptions { machine: MachineChoice::Preset(machine.into()), ..PlanOptions::default() };
+        let mut proof = Proof::start(drawing.clone(), "grid.dxf", LoadOptions::default(), &options).unwrap();
+        let mut job = Job::load(drawing, "grid.dxf", &LoadOptions::default()).unwrap();
+        job.start(&options).unwrap();
+        let first = job.run().unwrap().plan(job.sheet()).summary.total_time;
+        let mut seconds = first;
+        while proof.seconds() < seconds * (1.0 - 1e-6) {
+            let more = proof.improve(20_000_000);
+            if let Some(path) = proof.better_path() {
+                assert!(
+                    job.run_mut().unwrap().offer(&path).unwrap(),
+                    "{machine}: the plan keeps a worse path"
+                );
+                let total = job.run().unwrap().plan(job.sheet()).summary.total_time;
+                assert!(total < seconds, "{machine}: {total} s after {seconds} s");
+                seconds = total;
+            }
+            assert!(
+                more || proof.seconds() >= seconds * (1.0 - 1e-6),
+                "{machine}: {} of {seconds}",
+                proof.seconds()
+            );
+        }
+        assert!(
+            seconds < 0.999 * first && proof.seconds() <= seconds + 1e-9,
+            "{machine}: {seconds} of {first}"
+        );
+        assert_eq!(proof.better_path(), None, "{machine}: it was told before");
+        // Checked.
+        job.document().unwrap();
+    }
+}
+
 /// A certificate that leaves too many orders to look at is refused, and so is one of too many contours.
 #[test]
 fn too_many_orders_are_refused() {

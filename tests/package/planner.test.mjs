@@ -1,8 +1,8 @@
 // The class `Planner` in Node: load, plan, pause and stop, outputs.
 
 import assert from 'node:assert/strict';
-import { after, before, describe, it } from 'node:test';
-import { createPlanner } from 'kerfway';
+import { after, before, beforeEach, describe, it } from 'node:test';
+import { createPlanner, PROVEN } from 'kerfway';
 import { bytes, circle, dxf, KEYBOARD, square } from './support.mjs';
 
 let planner;
@@ -212,8 +212,57 @@ describe('a proof', () => {
 
   it('that is closed ends with its last bound, without a certificate', async () => {
     const { done, last } = await ended('close');
-    assert.deepEqual(done, { seconds: last, certificate: null, hindrance: null });
+    assert.deepEqual({ ...done, path: null }, { seconds: last, certificate: null, path: null, hindrance: null });
     assert.ok(last > 0);
+  });
+});
+
+describe('a path from elsewhere', () => {
+  const seconds = ({ summary }) => summary.total_time;
+  const holes = Array.from({ length: 12 }, (_, k) => circle(20 + 31 * (k % 4), 20 + 29 * Math.floor(k / 4), 4 + ((5 * k) % 7)));
+  beforeEach(() => planner.load(dxf(...holes), 'holes.dxf'));
+
+  it('that a proof has found is taken over after the search, and proven optimal', async () => {
+    const plan = planner.plan({ moves: 1, seed: 1 });
+    await plan.started;
+    const proof = await planner.prove({ work: 2000 }).done;
+    const { progress } = await plan.done;
+    const better = await planner.offer(proof.path);
+    assert.ok(seconds(better) < seconds(progress) - 0.01, `${seconds(better)} s after ${seconds(progress)} s`);
+    assert.ok(better.summary.gap <= PROVEN, `a gap of ${better.summary.gap}`);
+    assert.deepEqual([better.moves, better.path.contours.length], [progress.moves, progress.path.contours.length]);
+    const document = JSON.parse(await planner.output('json'));
+    assert.equal(document.summary.total_time, seconds(better));
+    // What is no better changes nothing, and the search goes on from the better path.
+    assert.equal(await planner.offer(progress.path), null);
+    const { progress: later } = await planner.continue({ moves: 100 }).done;
+    assert.ok(seconds(later) <= seconds(better));
+  });
+
+  it('waits for the search, whose result is its own', async () => {
+    const alone = await planner.plan({ moves: 2000, seed: 1 }).done;
+    const best = (await planner.plan({ moves: 200_000, seed: 1 }).done).progress;
+    const plan = planner.plan({ moves: 2000, seed: 1 });
+    const offered = planner.offer(best.path);
+    assert.equal(seconds((await plan.done).progress), seconds(alone.progress));
+    assert.equal(seconds((await offered) ?? alone.progress), Math.min(seconds(best), seconds(alone.progress)));
+  });
+
+  it('of another drawing is refused, and so is one without a plan', async () => {
+    await assert.rejects(planner.offer({}), { code: 'no-plan' });
+    await planner.plan({ moves: 1 }).done;
+    const path = { contours: Uint32Array.of(0), along: Float64Array.of(0), reversed: Uint8Array.of(0) };
+    await assert.rejects(planner.offer(path), { code: 'unfit-path' });
+    await assert.rejects(planner.offer({}), { code: 'unfit-path' });
+  });
+
+  it('is dropped when another plan has begun', async () => {
+    const first = planner.plan({ moves: 1, seed: 1 });
+    const offered = first.done.then(({ progress }) => planner.offer(progress.path));
+    await first.done;
+    const second = planner.plan({ moves: 1, seed: 2 });
+    assert.equal(await offered, null);
+    await second.done;
   });
 });
 

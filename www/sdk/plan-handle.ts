@@ -106,6 +106,13 @@ export class RunningPlan {
     }
   }
 
+  /** The worker has taken over a better path after the search. Returns the plan's progress, to which all its workers contributed. */
+  improve({ summary, path }: Progress): Progress {
+    const progress = { ...(this.last as Progress), summary, path };
+    this.keep(progress);
+    return progress;
+  }
+
   /** The worker is gone: the plan ends with the best path reported so far, or fails if there is none. */
   interrupt(reason: Error): void {
     if (this.path === null) this.fail(reason);

@@ -36,6 +36,7 @@ import type {
   ProofBudget,
   Progress,
   ToWorker,
+  WarmPath,
 } from './protocol.js';
 
 /** Options of `createPlanner`. */
@@ -153,17 +154,35 @@ export class Planner {
    * Works on a lower bound of the current plan's job in a worker of its own, beside its search or after it, until the budget is used up.
    * A higher bound is reported as the progress of the plan and is in its outputs. Up to 128 contours it can prove that a path is optimal. It is stronger
    * than the search's own from about 100 contours on, where contours have corners in which the machine brakes, and where contours may be left unfinished
-   * or are cut as one. It has a certificate, which `kerfway verify` checks. Another plan or another drawing ends the proof.
+   * or are cut as one. It has a certificate, which `kerfway verify` checks. Another plan or another drawing ends the proof. `onBound` gets what
+   * is proven and the best path that the proof has found, for `offer`.
    */
-  prove(budget: ProofBudget = {}, onBound: (seconds: number) => unknown = () => {}): ProofHandle {
+  prove(budget: ProofBudget = {}, onBound: (seconds: number, path: WarmPath | null) => unknown = () => {}): ProofHandle {
     checkOptions(budget, 'prove');
     if (this.drawing === null || this.current === null) throw new KerfwayError('no-plan', 'There is no plan to prove a bound for. Start one first.');
     this.endProof();
-    this.prover = new Prover(this.parts, this.drawing, this.current.options, budget, (lowerBound) => {
+    this.prover = new Prover(this.parts, this.drawing, this.current.options, budget, (lowerBound, path) => {
       this.whenReady({ type: 'raise', lowerBound });
-      onBound(lowerBound);
+      onBound(lowerBound, path);
     });
     return this.prover;
+  }
+
+  /**
+   * Offers the current plan a path from elsewhere, such as the one that a proof has found. The plan takes it over once its search has ended, if it takes less.
+   * Resolves with what the plan has become, or with null if it stays as it is.
+   */
+  offer(path: WarmPath): Promise<Progress | null> {
+    return quietAtClose(async () => {
+      const plan = this.current;
+      if (plan === null) throw new KerfwayError('no-plan', 'There is no plan to offer a path to. Start one first.');
+      await plan.handle.done;
+      await this.ready;
+      // Another plan may have begun meanwhile.
+      if (this.current !== plan) return null;
+      const { progress } = await this.ask<'offer'>((id) => ({ type: 'offer', id, path }));
+      return progress && plan.improve(progress);
+    });
   }
 
   /** Continues the last plan for another budget. */

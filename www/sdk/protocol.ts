@@ -145,6 +145,11 @@ export interface Proof {
   seconds: number;
   /** A certificate of it (`kerfway.certificate/1`), which `kerfway verify` checks; null if there is none. */
   certificate: string | null;
+  /**
+   * The best path that it has found, which may take less than that of the plan: `Planner.offer` takes it over. It searches up to 220 contours for itself; null
+   * where there are more, and where they may be left unfinished or are cut as one.
+   */
+  path: WarmPath | null;
   /** Why nothing can be proven for this job, or why the proof ended early, in a sentence; null otherwise. */
   hindrance: string | null;
 }
@@ -185,6 +190,8 @@ export type ToWorker =
   | { type: 'prove'; id: number; bytes: ArrayBuffer; name: string; options: LoadOptions; planning: PlanOptions; budget: ProofBudget }
   /** A lower bound of the current plan's job in seconds, which another worker has proven. */
   | { type: 'raise'; lowerBound: number }
+  /** A path from elsewhere for the plan whose search has ended. */
+  | { type: 'offer'; id: number; path: WarmPath }
   | { type: 'papers'; id: number }
   | { type: 'quote'; id: number; terms: QuoteTerms }
   /** Checks a program for a machine; without a program, that of the best plan so far. */
@@ -204,9 +211,12 @@ export type FromWorker =
   | { type: 'progress'; id: number; progress: Progress }
   /** One of several searches has reached an exchange and waits for the others. */
   | { type: 'meeting'; id: number; progress: Progress }
-  | { type: 'bound'; id: number; lowerBound: number }
+  /** `path`: a better path than before, which a proof has found. */
+  | { type: 'bound'; id: number; lowerBound: number; path?: WarmPath | null }
   | { type: 'done'; id: number; reason: DoneReason; progress: Progress }
   | { type: 'proof'; id: number; proof: Proof }
+  /** The plan with the path that was offered; null if that takes no less. */
+  | { type: 'offered'; id: number; progress: Progress | null }
   | { type: 'papers'; id: number; methods: PaperMethod[] }
   | { type: 'quote'; id: number; quote: Quote }
   | { type: 'check'; id: number; check: ProgramCheck }

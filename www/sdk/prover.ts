@@ -2,7 +2,7 @@
 
 import { KerfwayError } from './errors.js';
 import type { Drawing } from './multi-search.js';
-import type { FromWorker, PlanOptions, Proof, ProofBudget } from './protocol.js';
+import type { FromWorker, PlanOptions, Proof, ProofBudget, WarmPath } from './protocol.js';
 import { type SILENCE_LIMITS, type StartWorker, WorkerConnection } from './worker-connection.js';
 import type { WasmModule } from './wasm-module.js';
 
@@ -24,13 +24,14 @@ export class Prover implements ProofHandle {
   private readonly connection: WorkerConnection;
   private settle!: { resolve: (proof: Proof) => void; reject: (error: Error) => void };
   private proven = 0;
+  private path: WarmPath | null = null;
 
   constructor(
     { start, module, silenceLimits }: { start: StartWorker; module: WasmModule; silenceLimits?: typeof SILENCE_LIMITS },
     { bytes, name, options }: Drawing,
     planning: PlanOptions,
     budget: ProofBudget,
-    private readonly onBound: (seconds: number) => void,
+    private readonly onBound: (seconds: number, path: WarmPath | null) => void,
   ) {
     this.done = new Promise((resolve, reject) => (this.settle = { resolve, reject }));
     this.connection = new WorkerConnection(start, { module }, (m) => this.receive(m), (why) => this.end(why), silenceLimits);
@@ -49,13 +50,14 @@ export class Prover implements ProofHandle {
 
   /** Ends with what was reported. `hindrance`: why there is no more. */
   private end(hindrance: string | null): void {
-    this.settle.resolve({ seconds: this.proven, certificate: null, hindrance });
+    this.settle.resolve({ seconds: this.proven, certificate: null, path: this.path, hindrance });
   }
 
   private receive(message: FromWorker): void {
     if (message.type === 'bound') {
       this.proven = message.lowerBound;
-      this.onBound(this.proven);
+      this.path = message.path ?? this.path;
+      this.onBound(this.proven, this.path);
     } else if (message.type === 'proof' || message.type === 'failed') {
       this.connection.close();
       if (message.type === 'failed') this.settle.reject(KerfwayError.of(message.error));

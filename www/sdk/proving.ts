@@ -5,25 +5,32 @@
 
 import type { Proof as Work } from './pkg/kerfway_research.js';
 import { later } from './search.js';
-import type { Proof, ProofBudget } from './protocol.js';
+import type { Proof, ProofBudget, WarmPath } from './protocol.js';
 
 /** Numbers of one call: about a hundredth of a second, so that a stop takes effect at once. */
 const SLICE = 2_000_000;
 /** Longest time between two reports, far below the silence after which a worker counts as hung. */
 const QUIET_MS = 5000;
+/**
+ * Shortest time between two paths. A plan takes them over after its search, and in its first seconds a proof finds many, each of which a later
+ * one replaces.
+ */
+const PATH_MS = 1000;
 /** The unit of `ProofBudget.work`, in numbers. */
 const MILLION = 1_000_000;
 
 export class Proving {
   private stopped = false;
+  /** The best path so far. */
+  private path: WarmPath | null = null;
 
   constructor(private readonly work: Work) {}
 
-  /** Works until the budget is used up or nothing more can be proven. Each higher bound is reported. */
-  run({ seconds = Infinity, work = Infinity }: ProofBudget, report: (seconds: number) => void): Promise<Proof> {
+  /** Works until the budget is used up or nothing more can be proven. Each higher bound is reported, and a better path soon. */
+  run({ seconds = Infinity, work = Infinity }: ProofBudget, report: (seconds: number, path: WarmPath | null) => void): Promise<Proof> {
     const until = performance.now() + 1000 * seconds;
     const most = work * MILLION;
-    let [done, proven, reportBy] = [0, 0, performance.now() + QUIET_MS];
+    let [done, proven, reportBy, pathFrom] = [0, 0, performance.now() + QUIET_MS, performance.now() + PATH_MS];
     return new Promise((resolve, reject) => {
       const slice = () => {
         try {
@@ -31,18 +38,30 @@ export class Proving {
           done += SLICE;
           const bound = this.work.seconds();
           const now = performance.now();
-          if (bound > proven || now >= reportBy) {
+          const better = now >= pathFrom ? this.better() : null;
+          if (better !== null) pathFrom = now + PATH_MS;
+          if (bound > proven || better !== null || now >= reportBy) {
             [proven, reportBy] = [bound, now + QUIET_MS];
-            report(bound);
+            report(bound, better);
           }
           if (more && !this.stopped && now < until) later(slice);
-          else resolve({ seconds: bound, certificate: this.work.certificate() ?? null, hindrance: this.work.hindrance() ?? null });
+          else {
+            this.better();
+            resolve({ seconds: bound, certificate: this.work.certificate() ?? null, path: this.path, hindrance: this.work.hindrance() ?? null });
+          }
         } catch (error) {
           reject(error as Error);
         }
       };
       later(slice);
     });
+  }
+
+  /** A better path than before, if there is one. */
+  private better(): WarmPath | null {
+    const path = this.work.betterPath();
+    this.path = path ?? this.path;
+    return path;
   }
 
   stop(): void {

@@ -5,6 +5,7 @@ import type { FromWorker } from './protocol.js';
 /** The response to each kind of request. */
 export interface Responses {
   load: Extract<FromWorker, { type: 'loaded' }>;
+  offer: Extract<FromWorker, { type: 'offered' }>;
   output: Extract<FromWorker, { type: 'output' }>;
   papers: Extract<FromWorker, { type: 'papers' }>;
   quote: Extract<FromWorker, { type: 'quote' }>;
@@ -15,4 +16,4 @@ export interface Responses {
 }
 
 /** The types of messages that settle a request. */
-export const FINAL: ReadonlySet<string> = new Set(['loaded', 'output', 'papers', 'quote', 'check', 'sample', 'calibrate', 'done', 'failed']);
+export const FINAL: ReadonlySet<string> = new Set(['loaded', 'offered', 'output', 'papers', 'quote', 'check', 'sample', 'calibrate', 'done', 'failed']);

@@ -108,6 +108,12 @@ export class Search {
     this.schedule();
   }
 
+  /** Takes over a path after the end, if it is faster. Returns what the plan has become, or null if nothing changes. */
+  offer(path: WarmPath): Progress | null {
+    this.unreported = this.job.offer(path);
+    return this.unreported ? this.progress() : null;
+  }
+
   // At most one slice is scheduled, even if a pause and a resume come before it runs.
   private schedule(): void {
     if (this.scheduled) return;

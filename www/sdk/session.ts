@@ -136,6 +136,9 @@ export class Session {
         this.loaded().raiseBound(message.lowerBound);
         this.search.raise(message.lowerBound);
         return;
+      case 'offer':
+        this.host.post({ type: 'offered', id: message.id, progress: this.search?.offer(message.path) ?? null });
+        return;
       case 'papers':
         void this.reply(message.id, () => this.papers(message.id));
         return;
@@ -236,7 +239,7 @@ export class Session {
   private async prove({ id, bytes, name, options, planning, budget }: Extract<ToWorker, { type: 'prove' }>, research: Research): Promise<[FromWorker]> {
     const { method: _, parameters: __, warm: ___, ...others } = given(planning);
     this.proving = new Proving(new research.Proof(new Uint8Array(bytes), name, given(options), others));
-    return [{ type: 'proof', id, proof: await this.proving.run(budget, (lowerBound) => this.host.post({ type: 'bound', id, lowerBound })) }];
+    return [{ type: 'proof', id, proof: await this.proving.run(budget, (lowerBound, path) => this.host.post({ type: 'bound', id, lowerBound, path })) }];
   }
 
   private async papers(id: number): Promise<[FromWorker]> {

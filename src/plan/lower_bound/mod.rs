@@ -74,6 +74,8 @@ mod gather;
 #[cfg(feature = "research")]
 mod halving;
 #[cfg(feature = "research")]
+mod known_path;
+#[cfg(feature = "research")]
 mod level;
 mod limits;
 mod meet;
@@ -109,12 +111,14 @@ mod walks;
 
 use crate::problem::{Item, Problem};
 #[cfg(feature = "research")]
-use crate::solve::{Solution, Stop};
+use crate::solve::Solution;
 #[cfg(feature = "research")]
 pub use certificate::{Certificate, CertificateFault, Certified, SharedLegs, with_paid};
 use cheap::Cheap;
 #[cfg(feature = "research")]
 pub use flows::FlowBound;
+#[cfg(feature = "research")]
+use known_path::{Entry, KnownPath};
 #[cfg(feature = "research")]
 pub use mixtures::MixedLegs;
 #[cfg(feature = "research")]
@@ -144,9 +148,9 @@ pub struct LowerBound {
     /// The best walks, when nothing is left to do.
     #[cfg(feature = "research")]
     record: Option<Box<Record>>,
-    /// The travel of the best path it knew then, s.
+    /// The best path it knew then.
     #[cfg(feature = "research")]
-    known: f64,
+    known: KnownPath,
     /// The same bound before it began, if it uses what is known from the start (`rounds/known.rs`): it takes over if that comes to no end.
     #[cfg(feature = "research")]
     spare: Option<Box<Strong>>,
@@ -181,7 +185,7 @@ impl LowerBound {
             #[cfg(feature = "research")]
             record: None,
             #[cfg(feature = "research")]
-            known: f64::INFINITY,
+            known: KnownPath::default(),
             #[cfg(feature = "research")]
             spare: None,
         }
@@ -205,7 +209,7 @@ impl LowerBound {
                 #[cfg(feature = "research")]
                 if let Method::Strong(strong) = &mut self.method {
                     self.record = strong.record.take();
-                    self.known = strong.known();
+                    self.known = strong.known().clone();
                 }
                 self.method = Method::Done(self.value());
                 return false;
@@ -220,13 +224,8 @@ impl LowerBound {
     #[cfg(feature = "research")]
     pub fn knows(&mut self, problem: &Problem, path: &Solution) {
         if let Method::Strong(strong) = &mut self.method {
-            let entry = |stop: &Stop| {
-                let contour = problem.nodes.get(stop.node as usize)?.item as usize;
-                Some((contour, stop.along, stop.ends(problem)?.0))
-            };
-            if let Some(path) = path.stops.iter().map(entry).collect::<Option<Vec<_>>>()
-                && strong.knows(&path)
-            {
+            let entries: Option<Vec<_>> = path.stops.iter().map(|stop| Entry::of(stop, problem)).collect();
+            if entries.is_some_and(|entries| strong.knows(&entries)) {
                 self.spare = Some(Box::new(Strong::new(problem)));
             }
         }
@@ -250,9 +249,24 @@ impl LowerBound {
     /// much but for a ten-millionth, that path is optimal.
     #[cfg(feature = "research")]
     pub fn known(&self) -> f64 {
+        self.known_path().seconds
+    }
+
+    /// This path, if it takes less than `seconds`.
+    #[cfg(feature = "research")]
+    pub fn better_than(&self, seconds: f64, problem: &Problem) -> Option<Solution> {
+        let known = self.known_path();
+        // A skipped contour is at home, as the bound sees it, and has no stop.
+        let is_cut = |e: &&Entry| problem.items.get(e.contour).is_some_and(|item| !item.nodes.is_empty());
+        let stops = known.entries.iter().filter(is_cut).map(|entry| entry.stop(problem));
+        (known.seconds < seconds).then(|| Some(Solution::new(problem, stops.collect::<Option<_>>()?)))?
+    }
+
+    #[cfg(feature = "research")]
+    fn known_path(&self) -> &KnownPath {
         match &self.method {
             Method::Strong(strong) => strong.known(),
-            Method::Cheap(_) | Method::Done(_) => self.known,
+            Method::Cheap(_) | Method::Done(_) => &self.known,
         }
     }
 

@@ -6,6 +6,11 @@ export class Latest {
 
   begin(): () => boolean {
     this.newest += 1;
+    return this.watch();
+  }
+
+  /** The same of the request that is the newest now. */
+  watch(): () => boolean {
     const request = this.newest;
     return () => request === this.newest;
   }

@@ -1,6 +1,6 @@
 /** The search for a path: starting, pausing, stopping and continuing it. Only the newest search changes the state. */
 
-import { activeContours, type DoneReason, isKerfwayError, type PlanHandle, type PlanOptions, type Progress } from 'kerfway';
+import { activeContours, type DoneReason, isKerfwayError, type PlanHandle, type PlanOptions, type Progress, type WarmPath } from 'kerfway';
 import { Latest } from '../core/latest.js';
 import { messageOf } from '../core/strings.js';
 import { isUsed } from '../offline/first-visit.js';
@@ -33,6 +33,8 @@ export class Planning {
   private run: PlanHandle | null = null;
   /** The work on a stronger bound beside the search. */
   private prover: { close(): void } | null = null;
+  /** The best path that it has found, until it is offered to the plan. */
+  private found: WarmPath | null = null;
   private timer = 0;
   private proofTimer = 0;
   /** The plan that the current search goes on from. */
@@ -139,12 +141,30 @@ export class Planning {
   private prove(): void {
     const { planner } = this.catalog;
     if (this.prover !== null || planner === null) return;
-    const prover = planner.prove({}, (seconds) => {
-      if (this.run === null) this.store.boundRaised(seconds);
+    let last: WarmPath | null = null;
+    const prover = planner.prove({}, (seconds, path) => {
+      if (path !== last) this.found = last = path;
+      if (this.run !== null) return;
+      this.store.boundRaised(seconds);
+      this.takeOver();
     });
     this.prover = prover;
     // Without it, the plan keeps the bound of its search.
     prover.done.catch(() => {});
+  }
+
+  /** Takes over a path that the proof has found, if it is better than that of the search, which has ended. */
+  private takeOver(): void {
+    const { found, store } = this;
+    const { phase, search: { method } } = store.state;
+    // While another file is being read, this plan may be about to go. Who chooses another method wants the path of that.
+    if (found === null || phase !== 'done' || method !== this.catalog.methods[0]?.name) return;
+    this.found = null;
+    const isCurrent = this.latest.watch();
+    this.catalog.planner?.offer(found).then(
+      (progress) => progress !== null && isCurrent() && store.planImproved(addedTo(this.before, progress)),
+      () => {}, // Without it, the plan is that of the search.
+    );
   }
 
   /** After the search, the proof goes on for a while: it says whether more searching can help. */
@@ -167,6 +187,7 @@ export class Planning {
     clearTimeout(this.proofTimer);
     this.prover?.close();
     this.prover = null;
+    this.found = null;
   }
 
   /** `ended`: why the search of the plan had ended before it was kept. */
@@ -182,6 +203,7 @@ export class Planning {
         this.run = null;
         this.store.planProgressed(addedTo(this.before, progress));
         this.store.planFinished(ended ?? reason);
+        this.takeOver();
         this.proveOn(isLatest);
       },
       (error: unknown) => {

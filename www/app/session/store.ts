@@ -166,6 +166,14 @@ export class Store extends Emitter<Events> {
     this.emit('progress', this.current);
   }
 
+  /** The plan has become better after its search: what was made of it is made again. */
+  planImproved(progress: Progress): void {
+    const { budget, reason } = this.current;
+    this.planningContinued(budget);
+    this.planProgressed(progress);
+    this.planFinished(reason ?? 'stopped');
+  }
+
   planFinished(reason: DoneReason): void {
     this.update({ ...this.entered('done'), reason });
   }

@@ -119,6 +119,11 @@ function proofBudget({ values }: Words, outputs: Requested['outputs'], search: P
   return budget;
 }
 
+/** Whether a better path than that of the search is wanted: not one of another method, and not in place of a plan that is kept. */
+function mayBecomeBetter({ method, moves }: PlanOptions, planner: Planner): boolean {
+  return moves !== 0 && (method === undefined || method === planner.methods[0]?.name);
+}
+
 /** What a search is for. */
 interface Purpose {
   file: string;
@@ -144,8 +149,10 @@ async function searched(planner: Planner, options: PlanOptions, proving: ProofBu
     await stopIfRefusedOffBed(plan, outputs, options);
     prover = proving === null ? null : planner.prove(proving);
     const [result, proof] = await Promise.all([plan.done, prover?.done ?? null]);
-    const summary = bounded(result.progress.summary, proof?.seconds ?? 0);
-    return { result: { ...result, progress: { ...result.progress, summary } }, proof };
+    const better = proof?.path && mayBecomeBetter(options, planner) ? await planner.offer(proof.path) : null;
+    const progress = better ?? result.progress;
+    const summary = bounded(progress.summary, proof?.seconds ?? 0);
+    return { result: { ...result, progress: { ...progress, summary } }, proof };
   } finally {
     process.removeListener('SIGINT', stop);
     if (show) process.stderr.write('\r\x1b[K');

@@ -13,6 +13,7 @@ mod descent;
 mod soft;
 mod stop;
 
+use super::known_path::Entry;
 use super::mixtures::Mixtures;
 use super::rounds::legs;
 use super::walks::{Ground, Visit};
@@ -33,6 +34,8 @@ pub(super) struct Level {
     pub(super) seconds: f64,
     /// How much each axis counts in its legs.
     pub(super) mixtures: Mixtures,
+    /// Its stops.
+    pub(super) entries: Vec<Entry>,
 }
 
 /// Finds the best entries of a path near the knots of a walk. `None` on machines whose air time depends on distances alone.
@@ -60,5 +63,12 @@ pub(super) fn level(ground: &Ground, walk: &[Visit]) -> Option<Level> {
         mixtures.add([from.item, to.item], soft::leg(&limits, way, line.temperature).mixture);
     }
     let of_legs: f64 = line.stops.windows(2).map(|s| air.seconds(s[0].places()[1], s[1].places()[0])).sum();
-    Some(Level { seconds: of_legs + line.extra(), mixtures })
+    let entry = |(visit, stop): (&Visit, &Stop)| Entry {
+        contour: visit.item - ground.first,
+        along: stop.along(),
+        places: stop.places(),
+    };
+    // The first stop is home.
+    let entries = walk.iter().zip(&line.stops[1..]).map(entry).collect();
+    Some(Level { seconds: of_legs + line.extra(), mixtures, entries })
 }

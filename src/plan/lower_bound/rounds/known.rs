@@ -6,13 +6,13 @@
 //! closest functions, and it may come to no end. Then everything begins again (`LowerBound`), and mixtures are used once a look at all orders has come to its end, when
 //! pieces are small where it matters.
 
+use super::super::known_path::KnownPath;
 use super::super::mixtures::Mixtures;
 
-/// A known path.
+/// The best path, and what is done with its mixtures.
 #[derive(Debug)]
 pub(super) struct Known {
-    /// Its travel, s.
-    pub(super) seconds: f64,
+    pub(super) path: KnownPath,
     /// Its mixtures, until they are used.
     pub(super) mixtures: Option<Mixtures>,
     /// They are not used before the gap is as small as this, s.
@@ -23,6 +23,6 @@ pub(super) struct Known {
 
 impl Default for Known {
     fn default() -> Self {
-        Self { seconds: f64::INFINITY, mixtures: None, wait_for: f64::INFINITY, from_start: false }
+        Self { path: KnownPath::default(), mixtures: None, wait_for: f64::INFINITY, from_start: false }
     }
 }

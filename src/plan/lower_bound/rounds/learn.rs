@@ -1,20 +1,17 @@
 //! How the bound learns of paths, and prices legs by the mixtures of the best one.
 
+use super::super::known_path::{Entry, KnownPath};
 use super::super::level::level;
 use super::super::mixtures::Mixtures;
 use super::super::net::Item;
 use super::super::walks::Visit;
 use super::Strong;
 use super::known::Known;
-use crate::geometry::DVec2;
 
 /// Paths whose seconds differ by a smaller share are the same.
 const SAME_PATH: f64 = 1e-9;
 /// After a look that mixtures made too large, they are taken again when the gap has fallen to this share: after one or two looks without them.
 const AGAIN: f64 = 0.25;
-
-/// A stop of a path: which contour, counted from 0, where on its track, mm, and where the head arrives.
-pub(in super::super) type Entry = (usize, f64, DVec2);
 
 impl Strong {
     /// Learns of a path. Once all orders are looked at, these show better ones themselves. Returns whether it is the first one and walks have not begun.
@@ -23,9 +20,9 @@ impl Strong {
             return false;
         }
         let items = &self.ground.items;
-        let visit = |&(contour, along, place): &Entry| {
-            let item = self.ground.first + contour;
-            items.get(item).map(|of| Visit { item, knot: nearest(of, along, place) })
+        let visit = |entry: &Entry| {
+            let item = self.ground.first + entry.contour;
+            items.get(item).map(|of| Visit { item, knot: nearest(of, entry) })
         };
         let walk = path.iter().map(visit).collect::<Option<Vec<_>>>();
         let is_new = walk.is_some_and(|walk| self.learn(&[walk]));
@@ -34,19 +31,20 @@ impl Strong {
         is_first
     }
 
-    /// The travel of the best path that is known, s.
-    pub(in super::super) fn known(&self) -> f64 {
-        self.known.seconds
+    /// The best path that is known.
+    pub(in super::super) fn known(&self) -> &KnownPath {
+        &self.known.path
     }
 
     /// Finds the best entries of these orders. Returns whether one of the paths is the best so far.
     fn learn(&mut self, orders: &[Vec<Visit>]) -> bool {
         let levels = orders.iter().filter_map(|walk| level(&self.ground, walk));
         let best = levels.min_by(|a, b| a.seconds.total_cmp(&b.seconds));
-        let Some(best) = best.filter(|b| b.seconds < self.known.seconds * (1.0 - SAME_PATH)) else {
+        let Some(best) = best.filter(|b| b.seconds < self.known.path.seconds * (1.0 - SAME_PATH)) else {
             return false;
         };
-        self.known = Known { seconds: best.seconds, mixtures: Some(best.mixtures), ..self.known };
+        let path = KnownPath { seconds: best.seconds, entries: best.entries };
+        self.known = Known { path, mixtures: Some(best.mixtures), ..self.known };
         true
     }
 
@@ -71,7 +69,7 @@ impl Strong {
 
     /// Whether the known path is proven optimal, as far as orders are looked at, and rounding.
     pub(in super::super) fn has_proven(&self, upper: f64) -> bool {
-        self.best >= upper.min(self.known.seconds) * (1.0 - 2.0 * self.exact())
+        self.best >= upper.min(self.known.path.seconds) * (1.0 - 2.0 * self.exact())
     }
 
     /// Goes on in place of a bound whose walks used mixtures from the start and came to no end. Nothing has been done yet.
@@ -79,7 +77,8 @@ impl Strong {
         (self.best, self.record) = (first.best, first.record.take());
         let mixtures =
             first.known.mixtures.take().or_else(|| Some(std::mem::take(&mut first.ground.prices.mixtures)));
-        self.known = Known { seconds: first.known.seconds, mixtures, ..Known::default() };
+        let path = std::mem::take(&mut first.known.path);
+        self.known = Known { path, mixtures, ..Known::default() };
     }
 
     /// After a look that was given up: goes on without mixtures, if there are any, and takes them again when the gap is smaller. On large pieces they lie lower
@@ -100,9 +99,11 @@ impl Strong {
     }
 }
 
-/// The knot of an item that is nearest to a stop.
-fn nearest(item: &Item, along: f64, place: DVec2) -> usize {
-    let far =
-        |knot: usize| item.along.get(knot).map_or(item.place(knot).distance(place), |at| (at - along).abs());
+/// The knot of an item that is nearest to where the head arrives at a stop.
+fn nearest(item: &Item, entry: &Entry) -> usize {
+    let far = |knot: usize| {
+        let at = item.along.get(knot);
+        at.map_or(item.place(knot).distance(entry.places[0]), |at| (at - entry.along).abs())
+    };
     (0..item.knots).min_by(|&a, &b| far(a).total_cmp(&far(b))).unwrap_or(0)
 }

@@ -139,7 +139,7 @@ impl Strong {
     /// Does one piece of work and returns its size; 0 if nothing is left to do.
     pub(super) fn once(&mut self, upper: f64) -> u64 {
         #[cfg(feature = "research")]
-        let upper = upper.min(self.known.seconds);
+        let upper = upper.min(self.known.path.seconds);
         let work = self.task(upper);
         self.work += work;
         work
