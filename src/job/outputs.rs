@@ -156,6 +156,7 @@ impl Job {
                 seconds: run.budget.seconds,
                 done: run.moves,
                 workers: (run.workers > 1).then_some(run.workers),
+                from_path: run.from_path,
             },
             input: Input {
                 sha256: self.sha256.clone(),

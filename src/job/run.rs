@@ -20,6 +20,9 @@ const BOUND_FROM: u64 = 1_000_000;
 const BOUND_EVERY: u64 = 100_000;
 const BOUND_WORK: [u32; 2] = [4_000_000, 16_000_000];
 
+/// Paths whose costs differ by a smaller share are the same but for rounding.
+const SAME_PATH: f64 = 1e-9;
+
 /// Why a slice ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -69,6 +72,8 @@ pub struct Run {
     pub baselines: Baselines,
     /// Findings on this sheet and machine.
     pub findings: Vec<Finding>,
+    /// Whether the search began with a given path, or took one over: then seed and moves do not give the plan again.
+    pub from_path: bool,
     /// Moves done so far, as requested from the search. Its telemetry may count a few more, because the last move may price
     /// several candidates.
     pub moves: u64,
@@ -126,6 +131,7 @@ impl Run {
             workers,
             baselines,
             findings,
+            from_path: options.warm.is_some(),
             moves: 0,
             paid: running.borrow_owner().paid(),
             running,
@@ -169,11 +175,24 @@ impl Run {
         self.prover.get_or_insert_with(|| LowerBound::new(problem)).improve(work, best);
     }
 
-    /// Takes over a path found by another search if it is better. Returns whether it did.
+    /// Takes over a path of another search that belongs to the same plan, if it is better. Returns whether it did.
     pub fn offer(&mut self, path: &WarmPath) -> Result<bool, JobError> {
-        let found = solve::priced(self.problem(), warm_path::solution(path, self.problem())?);
+        let found = self.priced(path)?;
         self.running.with_dependent_mut(|_, search| search.offer(&found));
         Ok(self.best().cost.total_cmp(&found.cost).is_eq())
+    }
+
+    /// Takes over a path from elsewhere if it is better. Returns whether it did.
+    pub fn take_over(&mut self, path: &WarmPath) -> Result<bool, JobError> {
+        let better = self.priced(path)?.cost < self.best().cost * (1.0 - SAME_PATH);
+        if better {
+            self.from_path |= self.offer(path)?;
+        }
+        Ok(better)
+    }
+
+    fn priced(&self, path: &WarmPath) -> Result<Solution, JobError> {
+        Ok(solve::priced(self.problem(), warm_path::solution(path, self.problem())?))
     }
 
     /// Grants another budget in addition to what is done.

@@ -58,6 +58,10 @@ pub struct Quote {
     pub moves: u64,
     /// Number of parallel searches; `None` for one.
     pub workers: Option<u32>,
+    /// Whether the plan comes from a path that was given: then the three do not give it again.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[cfg_attr(test, ts(as = "Option<bool>", optional))]
+    pub from_path: bool,
     /// The material, as given.
     #[cfg_attr(test, ts(type = "{ [K in keyof Required<Material>]: Required<Material>[K] | null }"))]
     pub material: Material,
@@ -206,6 +210,7 @@ pub(super) fn made(document: &Document, shapes: &[Shape], terms: &Terms) -> Quot
         seed: document.seed,
         moves: budget.done,
         workers: budget.workers,
+        from_path: budget.from_path,
         material: material.clone(),
         times: Times {
             total: summary.total_time,

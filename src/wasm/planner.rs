@@ -169,12 +169,21 @@ impl Job {
         Ok(())
     }
 
-    /// Takes over a path found by another search if it is better. Returns whether it did.
+    /// Takes over a path of another search that belongs to the same plan, if it is better. Returns whether it did.
     pub fn offer(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "WarmPath")] path: JsValue,
     ) -> Result<bool, Failure> {
         Ok(self.0.run_mut()?.offer(&handed(&path)?)?)
+    }
+
+    /// Takes over a path from elsewhere if it is better. Returns whether it did.
+    #[wasm_bindgen(js_name = takeOver)]
+    pub fn take_over(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "WarmPath")] path: JsValue,
+    ) -> Result<bool, Failure> {
+        Ok(self.0.run_mut()?.take_over(&handed(&path)?)?)
     }
 
     /// Takes over a lower bound of every plan in seconds, which was proven elsewhere.

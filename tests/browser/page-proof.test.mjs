@@ -2,8 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { grid } from './page-drawings.mjs';
-import { drop, openPage, phase, planned } from './page-support.mjs';
+import { beamRuns, grid } from './page-drawings.mjs';
+import { download, drop, openPage, phase, planned } from './page-support.mjs';
 
 const isProof = ({ file }) => file.includes('kerfway_research');
 
@@ -22,4 +22,39 @@ test('after the search the path is proven optimal, and there is nothing more to 
   assert.equal(await page.getByRole('button', { name: 'Keep improving' }).isVisible(), false);
   assert.equal(await page.getByRole('button', { name: 'G-code' }).first().isVisible(), true);
   assert.ok(sent.some(isProof));
+});
+
+/** Plans a drawing for next to no time, and returns its program and a function that gives that of the page. */
+async function plannedAtOnce(t, hash, contours) {
+  const { page } = await openPage(t, { hash });
+  await phase(page, 'done');
+  await drop(page, 'grid.dxf', grid(contours));
+  await planned(page, 'grid.dxf', 'done');
+  const program = async () => (await download(page, () => page.locator('.dock').getByRole('button', { name: 'G-code' }).click())).bytes.toString();
+  return { page, program, first: await program() };
+}
+
+const facts = (page) => page.locator('.preflight').textContent();
+
+test('a better path that the proof finds becomes the plan, and its program is checked again', async (t) => {
+  const { page, program, first } = await plannedAtOnce(t, 'seconds=0.001', 24);
+  const before = await facts(page);
+  await page.waitForFunction(() => document.querySelector('.dock-head').textContent === 'Optimal: no better path exists.');
+  assert.notEqual(await program(), first);
+  await page.waitForFunction((old) => document.querySelector('.preflight').textContent !== old, before);
+  assert.match(await facts(page), /24 contours/);
+  assert.deepEqual(beamRuns(await program()).length, 24);
+});
+
+test('a plan of another method stays as it is while more is proven', async (t) => {
+  const { page, program, first } = await plannedAtOnce(t, 'seconds=1&method=greedy', 12);
+  const left = page.locator('.parts .gap + dd');
+  await left.getByText(/^at most/).waitFor();
+  // The proof takes a second, and tells of a better path at its end at the latest.
+  let [before, now] = ['', await left.textContent()];
+  while (now !== before) {
+    await page.waitForTimeout(3000);
+    [before, now] = [now, await left.textContent()];
+  }
+  assert.equal(await program(), first);
 });

@@ -109,6 +109,21 @@ it('work on the bound does not change the plan', async (t) => {
   assert.ok(beside.bound >= alone.bound && beside.bound > 0);
 });
 
+it('a better path of the proof becomes the plan of a search by time, but not that of another method', async (t) => {
+  const at = workshop(t);
+  const plan = async (...more) => {
+    const { code, stdout, stderr } = await kerfway('plan', at('plate.dxf'), '--seed', '1', '--json', '-', ...more);
+    assert.equal(code, 0, stderr);
+    return JSON.parse(stdout);
+  };
+  // The search has hardly begun.
+  const short = ['--seconds', '0.001'];
+  const [alone, proven, other] = [await plan(...short), await plan(...short, '--bound-work', '2000'), await plan(...short, '--bound-work', '2000', '--method', 'greedy')];
+  assert.ok(proven.summary.total_time < other.summary.total_time && proven.summary.gap <= 1e-6, JSON.stringify(proven.summary));
+  assert.ok(proven.summary.total_time <= alone.summary.total_time);
+  assert.deepEqual([other.budget.from_path, other.method], [undefined, 'greedy']);
+});
+
 it('another drawing, another machine, a changed number and what is no certificate are refused', async (t) => {
   const at = workshop(t);
   await certified(at);

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { after, before, beforeEach, describe, it } from 'node:test';
-import { createPlanner, PROVEN } from 'kerfway';
+import { createPlanner, PROVEN, verifyQuote } from 'kerfway';
 import { bytes, circle, dxf, KEYBOARD, square } from './support.mjs';
 
 let planner;
@@ -219,8 +219,8 @@ describe('a proof', () => {
 
 describe('a path from elsewhere', () => {
   const seconds = ({ summary }) => summary.total_time;
-  const holes = Array.from({ length: 12 }, (_, k) => circle(20 + 31 * (k % 4), 20 + 29 * Math.floor(k / 4), 4 + ((5 * k) % 7)));
-  beforeEach(() => planner.load(dxf(...holes), 'holes.dxf'));
+  const holes = () => dxf(...Array.from({ length: 12 }, (_, k) => circle(20 + 31 * (k % 4), 20 + 29 * Math.floor(k / 4), 4 + ((5 * k) % 7))));
+  beforeEach(() => planner.load(holes(), 'holes.dxf'));
 
   it('that a proof has found is taken over after the search, and proven optimal', async () => {
     const plan = planner.plan({ moves: 1, seed: 1 });
@@ -233,6 +233,12 @@ describe('a path from elsewhere', () => {
     assert.deepEqual([better.moves, better.path.contours.length], [progress.moves, progress.path.contours.length]);
     const document = JSON.parse(await planner.output('json'));
     assert.equal(document.summary.total_time, seconds(better));
+    // Seed and moves alone do not give it again, and nobody is told so.
+    assert.equal(document.budget.from_path, true);
+    const quote = await planner.quote();
+    assert.equal(quote.from_path, true);
+    const { valid, differences } = await verifyQuote(holes(), quote);
+    assert.deepEqual([valid, differences.includes('from_path'), differences.includes('input')], [false, true, false], String(differences));
     // What is no better changes nothing, and the search goes on from the better path.
     assert.equal(await planner.offer(progress.path), null);
     const { progress: later } = await planner.continue({ moves: 100 }).done;
@@ -241,6 +247,7 @@ describe('a path from elsewhere', () => {
 
   it('waits for the search, whose result is its own', async () => {
     const alone = await planner.plan({ moves: 2000, seed: 1 }).done;
+    assert.equal('from_path' in JSON.parse(await planner.output('json')).budget, false);
     const best = (await planner.plan({ moves: 200_000, seed: 1 }).done).progress;
     const plan = planner.plan({ moves: 2000, seed: 1 });
     const offered = planner.offer(best.path);

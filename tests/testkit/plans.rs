@@ -217,7 +217,7 @@ pub(crate) fn document(sheet: &Sheet, plan: &Plan) -> String {
         method: "greedy".into(),
         parameters: None,
         seed: 1,
-        budget: Budget { moves: Some(1000), seconds: None, done: 1000, workers: None },
+        budget: Budget { moves: Some(1000), seconds: None, done: 1000, workers: None, from_path: false },
         input: Input {
             sha256: "0123456789abcdef".repeat(4),
             name: "plate.dxf".into(),

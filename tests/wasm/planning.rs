@@ -68,6 +68,12 @@ fn a_better_path_is_taken_over_and_a_path_of_another_drawing_refused() {
     let path = get(&long.best().ok().unwrap(), "path");
     assert!(short.offer(path.clone()).ok().unwrap());
     assert_eq!(total(&long), total(&short));
+    // Only a path from elsewhere is better by more than rounding, and is noted in the plan.
+    let notes = |job: &Job| job.document().ok().unwrap().contains(r#""from_path":true"#);
+    assert!(!short.take_over(path.clone()).ok().unwrap() && !notes(&short));
+    let (mut third, _) = keyboard(r#"{"seed":7,"moves":10}"#);
+    assert!(third.take_over(path.clone()).ok().unwrap() && notes(&third));
+    assert_eq!(total(&long), total(&third));
     let mut other = load(&circle("ANSI_1252", b"0"), r#"{"units":"mm"}"#).ok().unwrap();
     assert!(other.start(js("{}")).is_ok());
     assert!(sentence(other.offer(path)).contains("does not fit this drawing"));

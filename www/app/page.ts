@@ -20,8 +20,8 @@ import { machinePanel } from './panels/machine.js';
 import { placementPanel } from './panels/placement.js';
 import { planPanel } from './panels/plan.js';
 import { questionCard } from './panels/question.js';
-import { quotePanel } from './panels/quote.js';
 import { resultPanel } from './panels/result.js';
+import { laterSection } from './panels/section.js';
 import { toolbar } from './panels/toolbar.js';
 import { topBar } from './panels/topbar.js';
 import { playbackBar } from './playback/bar.js';
@@ -106,10 +106,11 @@ export async function startPage(): Promise<void> {
   new JobView({ session, scene, playback, announcer, notices, selection, orders, showCommon: tools.common });
   preview.on('comparison', (comparison) => scene.highlight({ marks: comparison?.marks ?? [] }));
 
+  const quote = laterSection(words.quote.title, async (section) => (await import('./panels/quote.js')).quoteContent(session, section, notify), notify);
   element('top').replaceChildren(...top.nodes);
   element('sections').replaceChildren(
     firstMachine(session), drawing, machinePanel(session, notify, () => pointer.chooseHome(), () => void pointer.placeJoints(true)), placement, planPanel(session),
-    resultPanel(session, theme, { download: (kind) => void files.download(kind), saveProject: () => void files.saveProject(), saveReport: () => void files.saveReport(), copyProgram: () => void files.copyProgram() }, alternatives), quotePanel(session, notify));
+    resultPanel(session, theme, { download: (kind) => void files.download(kind), saveProject: () => void files.saveProject(), saveReport: () => void files.saveReport(), copyProgram: () => void files.copyProgram() }, alternatives), quote);
   element('dock').append(dock(session, { open: () => files.choose(), program: () => void files.download(session.state.machine?.takes ?? 'gcode'), sheet: () => layout.toggleSheet() }));
   dragSheet(document.querySelector('.dock-state')!, element('sections'), { open: () => document.body.classList.contains('sheet-open'), toggle: () => layout.toggleSheet() });
   element('playback').append(...playbackBar(playback));

@@ -46,7 +46,8 @@ export class Proving {
           }
           if (more && !this.stopped && now < until) later(slice);
           else {
-            this.better();
+            const last = this.better();
+            if (last !== null) report(bound, last);
             resolve({ seconds: bound, certificate: this.work.certificate() ?? null, path: this.path, hindrance: this.work.hindrance() ?? null });
           }
         } catch (error) {

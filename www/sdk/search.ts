@@ -110,7 +110,7 @@ export class Search {
 
   /** Takes over a path after the end, if it is faster. Returns what the plan has become, or null if nothing changes. */
   offer(path: WarmPath): Progress | null {
-    this.unreported = this.job.offer(path);
+    this.unreported = this.job.takeOver(path);
     return this.unreported ? this.progress() : null;
   }
 

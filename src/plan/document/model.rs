@@ -66,6 +66,9 @@ pub struct Budget {
     /// Searches side by side, each with this budget; `None`: one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub workers: Option<u32>,
+    /// The search began with a path that it was given, or the plan took over one: without it, seed and moves do not give the plan again.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub from_path: bool,
 }
 
 /// The drawing that a plan is for.

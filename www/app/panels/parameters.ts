@@ -1,4 +1,4 @@
-/** The parameters of a method from a paper, behind a disclosure. They start with the values of the paper. */
+/** The parameters of a method from a paper, behind a disclosure. They start with the values of the paper. Loaded with the first such method. */
 
 import { button, h } from '../core/dom.js';
 import type { PaperMethod } from 'kerfway';

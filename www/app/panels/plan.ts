@@ -1,10 +1,10 @@
 /** How the path is searched: method, time, seed; and the rules that every plan follows, in the terms of laser software. */
 
 import { h, setText } from '../core/dom.js';
-import type { MethodInfo } from 'kerfway';
+import type { MethodInfo, PaperMethod } from 'kerfway';
+import { messageOf } from '../core/strings.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
-import { parameters } from './parameters.js';
 import { check, field, section, select } from './section.js';
 import { words } from '../core/words/index.js';
 
@@ -30,7 +30,21 @@ export function planPanel(session: Session): HTMLElement {
   const budget = select<number>((value) => session.setSearch({ seconds: value }));
   const about = h('p', { class: 'soft' });
   const source = h('p', { class: 'soft' });
-  const own = parameters(session);
+  const own = h('div', { hidden: true });
+  // Only methods from papers have parameters.
+  let parameters: Promise<{ show(method: PaperMethod | undefined): void }> | null = null;
+  const loadParameters = async () => {
+    const made = (await import('./parameters.js')).parameters(session);
+    own.replaceWith(made.root);
+    return made;
+  };
+  const showParameters = (method: PaperMethod | undefined) => {
+    if (method === undefined && parameters === null) return;
+    (parameters ??= loadParameters()).then((panel) => panel.show(method), (error) => {
+      parameters = null;
+      session.store.notify(messageOf(error));
+    });
+  };
   const seed = h('input', { type: 'number', min: 0, max: 4294967295, step: 1, inputmode: 'numeric', placeholder: words.plan.random });
   seed.addEventListener('input', () => {
     const value = seed.valueAsNumber;
@@ -43,7 +57,7 @@ export function planPanel(session: Session): HTMLElement {
   const common = check(words.plan.common, (on) => session.drawing.change({ commonCuts: on ? 'best' : 'off' }));
   const used = h('p', { class: 'soft' });
   body.append(h('div', { class: 'stack' },
-    method.root, about, source, own.root, field(words.plan.time, budget.root), field(words.plan.seed, seed), used, byLayer.root, byPart.root, bySheet.root, common.root,
+    method.root, about, source, own, field(words.plan.time, budget.root), field(words.plan.seed, seed), used, byLayer.root, byPart.root, bySheet.root, common.root,
     h('p', { class: 'soft' }, words.plan.always)));
 
   session.store.on('change', ({ search, seed: taken, load, loaded, machine }) => {
@@ -54,7 +68,7 @@ export function planPanel(session: Session): HTMLElement {
     const shown = unfolded || isPaper ? papers : [];
     const more = shown.length === 0 ? [{ value: MORE, label: words.plan.more }] : [];
     method.fill([...methods.map(option), ...more], search.method, { [words.plan.papers]: shown.map(option) });
-    own.show(papers.find((m) => m.name === search.method));
+    showParameters(papers.find((m) => m.name === search.method));
     setText(source, chosen?.source ?? '');
     source.hidden = !chosen?.source;
     // A budget from an address need not be in the list.

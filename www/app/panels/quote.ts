@@ -1,4 +1,7 @@
-/** What a price is based on: parts, areas, weight, narrow places, warnings. The report is made when the plan is done and this section is open. */
+/**
+ * What a price is based on: parts, areas, weight, narrow places, warnings. Loaded when its section is opened; the report is made when the plan is done and the
+ * section is open.
+ */
 
 import { button, h } from '../core/dom.js';
 import { save } from '../core/files.js';
@@ -7,14 +10,13 @@ import { shownIn, typed } from '../core/lengths.js';
 import { downloadName, messageOf } from '../core/strings.js';
 import type { Material, Quote } from 'kerfway';
 import type { Session } from '../session/session.js';
-import { field, section } from './section.js';
+import { field, type Section } from './section.js';
 import { words } from '../core/words/index.js';
 
 /** How many groups of parts are listed; the file holds all of them. */
 const LISTED = 8;
 
-export function quotePanel(session: Session, notify: (sentence: string) => void): HTMLElement {
-  const { root, body, setGist } = section(words.quote.title, false);
+export function quoteContent(session: Session, { root, setGist }: Section, notify: (sentence: string) => void): HTMLElement {
   const number = () => h('input', { type: 'number', min: 0, step: 'any', inputmode: 'decimal', placeholder: words.quote.notGiven });
   const [thickness, density] = [number(), number()];
   const rows = h('dl', { class: 'parts' });
@@ -24,7 +26,6 @@ export function quotePanel(session: Session, notify: (sentence: string) => void)
   const download = button(words.quote.download, { class: 'small', onclick: () => {
     if (report) save(`${JSON.stringify(report, null, 2)}\n`, downloadName(session.state, '.quote.json'), 'application/json');
   } });
-  body.append(h('div', { class: 'stack' }, field(words.quote.thickness, thickness, 'mm'), field(words.quote.density, density, 'g/cm³'), note, rows, download));
 
   const show = () => {
     rows.replaceChildren(...(report === null ? [] : facts(report)).flatMap(([term, value]) => [h('dt', {}, term), h('dd', { class: 'number' }, value)]));
@@ -53,8 +54,8 @@ export function quotePanel(session: Session, notify: (sentence: string) => void)
   });
   root.addEventListener('toggle', () => void make());
   for (const input of [thickness, density]) input.addEventListener('change', () => void make());
-  show();
-  return root;
+  void make();
+  return h('div', { class: 'stack' }, field(words.quote.thickness, thickness, 'mm'), field(words.quote.density, density, 'g/cm³'), note, rows, download);
 }
 
 function material(thickness: HTMLInputElement, density: HTMLInputElement): Material {

@@ -25,16 +25,27 @@ export function section(title: string, open: boolean): Section {
 /** Details whose content is loaded when they are opened. `failed` gets the reason if it cannot be. */
 export function laterDetails(title: string, load: () => Promise<HTMLElement>, failed: (sentence: string) => void): HTMLElement {
   const root = h('details', { class: 'more' }, h('summary', {}, title));
+  fillWhenOpened(root, async () => root.append(await load()), failed);
+  return root;
+}
+
+/** A closed section, the same. */
+export function laterSection(title: string, load: (section: Section) => Promise<HTMLElement>, failed: (sentence: string) => void): HTMLElement {
+  const made = section(title, false);
+  fillWhenOpened(made.root, async () => made.body.append(await load(made)), failed);
+  return made.root;
+}
+
+function fillWhenOpened(root: HTMLDetailsElement, fill: () => Promise<void>, failed: (sentence: string) => void): void {
   let content: Promise<void> | null = null;
   root.addEventListener('toggle', () => {
     if (!root.open) return;
-    content ??= load().then((loaded) => root.append(loaded)).catch((error) => {
+    content ??= fill().catch((error) => {
       content = null;
       root.open = false;
       failed(messageOf(error));
     });
   });
-  return root;
 }
 
 /** A label above or beside its control. `unit`: that of the value; a length is shown in the unit that the person has chosen. */

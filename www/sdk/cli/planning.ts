@@ -119,9 +119,9 @@ function proofBudget({ values }: Words, outputs: Requested['outputs'], search: P
   return budget;
 }
 
-/** Whether a better path than that of the search is wanted: not one of another method, and not in place of a plan that is kept. */
+/** Whether a better path than that of the search is wanted: not one of another method, and not where moves and seed shall give the plan again. */
 function mayBecomeBetter({ method, moves }: PlanOptions, planner: Planner): boolean {
-  return moves !== 0 && (method === undefined || method === planner.methods[0]?.name);
+  return moves === undefined && (method === undefined || method === planner.methods[0]?.name);
 }
 
 /** What a search is for. */

@@ -1416,6 +1416,8 @@ export interface Quote {
   moves: number,
   /** Number of parallel searches; `null` for one. */
   workers: number | null,
+  /** Whether the plan comes from a path that was given: then the three do not give it again. */
+  from_path?: boolean,
   /** The material, as given. */
   material: { [K in keyof Required<Material>]: Required<Material>[K] | null },
   /** Seconds of the job. */
