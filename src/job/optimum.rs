@@ -10,6 +10,12 @@ use crate::solve::{self, Running};
 /// made [`ENOUGH`] moves.
 pub(super) const TURN: u32 = 1_000_000;
 const MOVES: u64 = 10_000;
+/// Where legs are priced by mixtures of the known path, the search goes first for so many moves: those of a poor path fit no other. Elsewhere it
+/// gains nothing.
+const ALONE: u64 = 300_000;
+const MOVES_ALONE: u64 = 100_000;
+/// A path is proven optimal when the bound is no more than this share of its travel below it: twice what a look at all orders leaves.
+const PROVEN: f64 = 2e-7;
 /// The search ends here: beyond, it hardly ever finds a better path over 128 contours.
 const ENOUGH: u64 = 20_000_000;
 
@@ -18,6 +24,8 @@ pub(super) struct Optimum {
     running: Running,
     bound: LowerBound,
     moves: u64,
+    /// Moves after which the bound begins.
+    begins: u64,
     /// The cost of the path that the bound was told of last, s.
     told: f64,
     more: bool,
@@ -26,21 +34,23 @@ pub(super) struct Optimum {
 impl Optimum {
     /// `None` for jobs of too many contours for walks. All orders are looked at up to 128.
     pub(super) fn new(problem: &Problem) -> Option<Self> {
-        (problem.items.len() <= LowerBound::MOST_BY_WALKS).then(|| Self {
-            bound: LowerBound::new(problem),
-            running: Running::new(problem.clone(), |p| solve::methods()[0].start(p, 1, None)),
-            moves: 0,
-            told: f64::INFINITY,
-            more: true,
+        (problem.items.len() <= LowerBound::MOST_BY_WALKS).then(|| {
+            let bound = LowerBound::new(problem);
+            let begins = if bound.learns_of_paths() { ALONE } else { 0 };
+            let running = Running::new(problem.clone(), |p| solve::methods()[0].start(p, 1, None));
+            Self { running, bound, moves: 0, begins, told: f64::INFINITY, more: true }
         })
     }
 
     /// A piece of the search, and [`TURN`] more numbers of the bound. Returns whether more work may help.
     pub(super) fn turn(&mut self) -> bool {
         if self.more {
+            if self.moves < self.begins {
+                self.search(MOVES_ALONE);
+                return true;
+            }
             if self.moves < ENOUGH {
-                self.moves += MOVES;
-                self.running.with_dependent_mut(|_, search| search.step(MOVES));
+                self.search(MOVES);
             }
             let best = self.running.borrow_dependent().best();
             if best.cost < self.told {
@@ -51,6 +61,16 @@ impl Optimum {
             self.take_over();
         }
         self.more
+    }
+
+    fn search(&mut self, moves: u64) {
+        self.moves += moves;
+        self.running.with_dependent_mut(|_, search| search.step(moves));
+    }
+
+    /// Whether the best path is proven optimal: nothing is left to do.
+    pub(super) fn is_proven(&self) -> bool {
+        !self.more && self.value() >= self.cost() * (1.0 - PROVEN)
     }
 
     /// Offers the search a better path that the bound has found, so that its own paths and that of the bound are compared in one place.

@@ -219,6 +219,12 @@ impl LowerBound {
         true
     }
 
+    /// Whether it depends on known paths how much it proves: see [`LowerBound::knows`].
+    #[cfg(feature = "research")]
+    pub fn learns_of_paths(&self) -> bool {
+        matches!(&self.method, Method::Strong(strong) if strong.learns_of_paths())
+    }
+
     /// Tells the bound by walks of a known path. It does not affect the validity of the bound either, but on machines whose axes have limits of their own
     /// its legs show how those of all paths are best priced.
     #[cfg(feature = "research")]

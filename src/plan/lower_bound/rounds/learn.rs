@@ -14,6 +14,11 @@ const SAME_PATH: f64 = 1e-9;
 const AGAIN: f64 = 0.25;
 
 impl Strong {
+    /// Whether mixtures of a known path price legs.
+    pub(in super::super) fn learns_of_paths(&self) -> bool {
+        self.ground.prices.minorant.limits.is_some()
+    }
+
     /// Learns of a path. Once all orders are looked at, these show better ones themselves. Returns whether it is the first one and walks have not begun.
     pub(in super::super) fn knows(&mut self, path: &[Entry]) -> bool {
         if self.looked.has_begun || self.ground.prices.given() {
