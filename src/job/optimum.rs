@@ -4,7 +4,7 @@
 use super::warm_path::{self, WarmPath};
 use crate::plan::{LowerBound, WalkCertificate};
 use crate::problem::Problem;
-use crate::solve::{self, Running};
+use crate::solve::{self, Running, Solution};
 
 /// Work on the bound between two pieces of the search, and the moves of such a piece: about a third of the time, until the search has
 /// made [`ENOUGH`] moves.
@@ -32,12 +32,12 @@ pub(super) struct Optimum {
 }
 
 impl Optimum {
-    /// `None` for jobs of too many contours for walks. All orders are looked at up to 128.
-    pub(super) fn new(problem: &Problem) -> Option<Self> {
+    /// `warm`: a path that is known. `None` for jobs of too many contours for walks. All orders are looked at up to 128.
+    pub(super) fn new(problem: &Problem, warm: Option<&Solution>) -> Option<Self> {
         (problem.items.len() <= LowerBound::MOST_BY_WALKS).then(|| {
             let bound = LowerBound::new(problem);
             let begins = if bound.learns_of_paths() { ALONE } else { 0 };
-            let running = Running::new(problem.clone(), |p| solve::methods()[0].start(p, 1, None));
+            let running = Running::new(problem.clone(), |p| solve::methods()[0].start(p, 1, warm));
             Self { running, bound, moves: 0, begins, told: f64::INFINITY, more: true }
         })
     }

@@ -5,7 +5,7 @@
 //! [`FlowCertificate`], of the [`Certificate`] by shares, of the [`WalkCertificate`] or of the [`StopCertificate`] are added up again in whole numbers. How they were found does not matter, and no search is needed.
 
 use super::optimum::{Optimum, TURN};
-use super::{Job, JobError, LoadOptions, MachineChoice, Place, PlanOptions, WarmPath};
+use super::{Job, JobError, LoadOptions, MachineChoice, Place, PlanOptions, WarmPath, warm_path};
 use crate::drawing::TextDecoder;
 use crate::machine::{Profile, Start};
 use crate::output::{json_text, sha256};
@@ -141,7 +141,7 @@ pub struct Proof {
 }
 
 impl Proof {
-    /// Reads a drawing and starts with a weak bound. The options of the search are ignored.
+    /// Reads a drawing and starts with a weak bound. Of the options of the search, only the path to begin with is used, if it fits.
     ///
     /// # Errors
     /// As for a plan of the drawing.
@@ -170,7 +170,8 @@ impl Proof {
         };
         let paid = problem.paid();
         let of_tours = matches!(bound, Some(Bound::Flows(_) | Bound::Shares(_)));
-        let optimum = if of_tours { Optimum::new(&problem) } else { None };
+        let warm = options.warm.as_ref().and_then(|path| warm_path::solution(path, &problem).ok());
+        let optimum = if of_tours { Optimum::new(&problem, warm.as_ref()) } else { None };
         Ok(Self { file, problem, paid, bound, optimum, left: 0, turns: 0, told: f64::INFINITY })
     }
 
@@ -206,7 +207,10 @@ impl Proof {
     /// The best path that it has found, if that is better than the one that was told before. `None` above 220 contours, and where contours may be left
     /// unfinished or are cut as one.
     pub fn better_path(&mut self) -> Option<WarmPath> {
-        let optimum = self.optimum.as_ref().filter(|optimum| optimum.cost() < self.told)?;
+        let optimum = self
+            .optimum
+            .as_ref()
+            .filter(|optimum| optimum.cost() < self.told * (1.0 - warm_path::SAME_PATH))?;
         self.told = optimum.cost();
         optimum.path()
     }

@@ -20,9 +20,6 @@ const BOUND_FROM: u64 = 1_000_000;
 const BOUND_EVERY: u64 = 100_000;
 const BOUND_WORK: [u32; 2] = [4_000_000, 16_000_000];
 
-/// Paths whose costs differ by a smaller share are the same but for rounding.
-const SAME_PATH: f64 = 1e-9;
-
 /// Why a slice ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -184,7 +181,7 @@ impl Run {
 
     /// Takes over a path from elsewhere if it is better. Returns whether it did.
     pub fn take_over(&mut self, path: &WarmPath) -> Result<bool, JobError> {
-        let better = self.priced(path)?.cost < self.best().cost * (1.0 - SAME_PATH);
+        let better = self.priced(path)?.cost < self.best().cost * (1.0 - warm_path::SAME_PATH);
         if better {
             self.from_path |= self.offer(path)?;
         }

@@ -27,6 +27,9 @@ pub struct WarmPath {
 /// six digits, and is far below the distance of two entries.
 const SAME_PLACE: f64 = 1e-6;
 
+/// Paths whose costs differ by a smaller share are the same but for rounding.
+pub(super) const SAME_PATH: f64 = 1e-9;
+
 /// The stops of a path, if it visits every contour of the problem once, in a feasible order.
 pub(super) fn solution(warm: &WarmPath, problem: &Problem) -> Result<Solution, JobError> {
     let places =

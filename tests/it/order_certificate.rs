@@ -6,7 +6,7 @@ use crate::lower_bound::entered_anywhere;
 use crate::testkit::sheets::{Dice, machine, nested_sheet};
 use crate::walk_certificate::{of_every_kind, some};
 use kerfway::drawing::TextDecoder;
-use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions, Proof, problem_of, verify};
+use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions, Proof, WarmPath, problem_of, verify};
 use kerfway::plan::{CertificateFault, Certified, LowerBound, WalkCertificate};
 use kerfway::problem::Problem;
 use kerfway::solve;
@@ -177,6 +177,28 @@ fn a_plan_takes_over_the_better_path_of_its_proof() {
         // Checked.
         job.document().unwrap();
     }
+}
+
+/// A proof begins with the path that is known, whatever it is: its own search finds none that takes longer.
+#[test]
+fn a_proof_begins_with_the_path_that_is_known() {
+    let drawing = grid(4, 3);
+    let options = PlanOptions { machine: MachineChoice::Preset("co2-100w".into()), ..PlanOptions::default() };
+    let reading = LoadOptions::default();
+    let start =
+        |options: &PlanOptions| Proof::start(drawing.clone(), "grid.dxf", reading.clone(), options).unwrap();
+    let mut proof = start(&options);
+    while proof.improve(20_000_000) {}
+    let best = proof.better_path().unwrap();
+    // With the best path nothing better is told later.
+    let mut again = start(&PlanOptions { warm: Some(best.clone()), ..options.clone() });
+    assert_eq!(again.better_path(), Some(best.clone()));
+    while again.improve(20_000_000) {}
+    assert_eq!(again.better_path(), None);
+    assert!((again.seconds() - proof.seconds()).abs() < 1e-6, "{} and {}", again.seconds(), proof.seconds());
+    // A path of another drawing is no path of this one.
+    let other = WarmPath { contours: vec![0], ..best };
+    assert!(start(&PlanOptions { warm: Some(other), ..options }).better_path().is_some());
 }
 
 /// A certificate that leaves too many orders to look at is refused, and so is one of too many contours.

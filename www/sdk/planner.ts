@@ -161,7 +161,9 @@ export class Planner {
     checkOptions(budget, 'prove');
     if (this.drawing === null || this.current === null) throw new KerfwayError('no-plan', 'There is no plan to prove a bound for. Start one first.');
     this.endProof();
-    this.prover = new Prover(this.parts, this.drawing, this.current.options, budget, (lowerBound, path) => {
+    // The best path of the plan is known at another moment each time, so that a budget in work does without.
+    const planning = { ...this.current.options, warm: budget.work === undefined ? (this.current.path ?? undefined) : undefined };
+    this.prover = new Prover(this.parts, this.drawing, planning, budget, (lowerBound, path) => {
       this.whenReady({ type: 'raise', lowerBound });
       onBound(lowerBound, path);
     });

@@ -237,7 +237,7 @@ export class Session {
   }
 
   private async prove({ id, bytes, name, options, planning, budget }: Extract<ToWorker, { type: 'prove' }>, research: Research): Promise<[FromWorker]> {
-    const { method: _, parameters: __, warm: ___, ...others } = given(planning);
+    const { method: _, parameters: __, ...others } = given(planning);
     this.proving = new Proving(new research.Proof(new Uint8Array(bytes), name, given(options), others));
     return [{ type: 'proof', id, proof: await this.proving.run(budget, (lowerBound, path) => this.host.post({ type: 'bound', id, lowerBound, path })) }];
   }
