@@ -81,12 +81,12 @@ describe('a worker that dies', () => {
     const control = await fragile(t);
     await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');
     const plan = await underWay(control.planner);
-    let last = 0;
-    const proof = control.planner.prove({}, (seconds) => {
-      last = seconds;
+    let [last, found] = [0, null];
+    const proof = control.planner.prove({}, (seconds, path) => {
+      [last, found] = [seconds, path];
       void control.workers[1].terminate();
     });
-    assert.deepEqual(await proof.done, { seconds: last, certificate: null, hindrance: 'The planner ended unexpectedly.' });
+    assert.deepEqual(await proof.done, { seconds: last, certificate: null, path: found, hindrance: 'The planner ended unexpectedly.' });
     assert.ok(last > 0);
     plan.stop();
     assert.ok((await plan.done).progress.summary.lower_bound >= last);
