@@ -6,11 +6,12 @@ import { test } from 'node:test';
 import { dxf, square } from '../package/support.mjs';
 import { download, openPage, openPlanned, phase, SIZES, stored } from './page-support.mjs';
 
-/** Opens a part of the panel. */
+/** Opens a part of the panel, which may have to be loaded first. */
 const open = (page, title) =>
-  page.evaluate((t) => {
+  page.waitForFunction((t) => {
     const part = [...document.querySelectorAll('details')].find((d) => d.querySelector('summary')?.textContent.startsWith(t));
-    part.open = true;
+    if (part) part.open = true;
+    return part !== undefined;
   }, title);
 
 const method = (page) => page.getByLabel('Method');
