@@ -1,28 +1,11 @@
 // What is left to gain: the proof goes on after the search, in a worker of its own, once somebody uses the page.
 
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
+import { describe, it } from 'node:test';
 import { beamRuns, grid } from './page-drawings.mjs';
 import { download, drop, openPage, phase, planned } from './page-support.mjs';
 
 const isProof = ({ file }) => file.includes('kerfway_research');
-
-test('after the search the path is proven optimal, and there is nothing more to improve', async (t) => {
-  // On a busy machine the search knows no bound yet after 0.4 s.
-  const { page, sent } = await openPage(t, { hash: 'seconds=2' });
-  await phase(page, 'done');
-  await drop(page, 'grid.dxf', grid(9));
-  await planned(page, 'grid.dxf', 'done');
-  // What the search itself knows: little, because squares have corners.
-  assert.match(await page.locator('.parts .gap + dd').innerText(), /^at most/);
-  assert.equal(await page.getByRole('button', { name: 'Keep improving' }).isVisible(), true);
-  assert.equal(sent.filter(isProof).length, 0, 'a plan of under ten seconds waits for them');
-  await page.waitForFunction(() => document.querySelector('.dock-head').textContent === 'Optimal: no better path exists.');
-  await page.locator('.parts .gap + dd').getByText('nothing: this path is optimal').waitFor();
-  assert.equal(await page.getByRole('button', { name: 'Keep improving' }).isVisible(), false);
-  assert.equal(await page.getByRole('button', { name: 'G-code' }).first().isVisible(), true);
-  assert.ok(sent.some(isProof));
-});
 
 /** Plans a drawing for next to no time, and returns its program and a function that gives that of the page. */
 async function plannedAtOnce(t, hash, contours) {
@@ -36,25 +19,45 @@ async function plannedAtOnce(t, hash, contours) {
 
 const facts = (page) => page.locator('.preflight').textContent();
 
-test('a better path that the proof finds becomes the plan, and its program is checked again', async (t) => {
-  const { page, program, first } = await plannedAtOnce(t, 'seconds=0.001', 24);
-  const before = await facts(page);
-  await page.waitForFunction(() => document.querySelector('.dock-head').textContent === 'Optimal: no better path exists.');
-  assert.notEqual(await program(), first);
-  await page.waitForFunction((old) => document.querySelector('.preflight').textContent !== old, before);
-  assert.match(await facts(page), /24 contours/);
-  assert.deepEqual(beamRuns(await program()).length, 24);
-});
+// Each waits for ten seconds until the proof begins: side by side.
+describe('a proof after the search', { concurrency: true }, () => {
+  it('proves the path optimal, and there is nothing more to improve', async (t) => {
+    // On a busy machine the search knows no bound yet after 0.4 s.
+    const { page, sent } = await openPage(t, { hash: 'seconds=2' });
+    await phase(page, 'done');
+    await drop(page, 'grid.dxf', grid(9));
+    await planned(page, 'grid.dxf', 'done');
+    // What the search itself knows: little, because squares have corners.
+    assert.match(await page.locator('.parts .gap + dd').innerText(), /^at most/);
+    assert.equal(await page.getByRole('button', { name: 'Keep improving' }).isVisible(), true);
+    assert.equal(sent.filter(isProof).length, 0, 'a plan of under ten seconds waits for them');
+    await page.waitForFunction(() => document.querySelector('.dock-head').textContent === 'Optimal: no better path exists.');
+    await page.locator('.parts .gap + dd').getByText('nothing: this path is optimal').waitFor();
+    assert.equal(await page.getByRole('button', { name: 'Keep improving' }).isVisible(), false);
+    assert.equal(await page.getByRole('button', { name: 'G-code' }).first().isVisible(), true);
+    assert.ok(sent.some(isProof));
+  });
 
-test('a plan of another method stays as it is while more is proven', async (t) => {
-  const { page, program, first } = await plannedAtOnce(t, 'seconds=1&method=greedy', 12);
-  const left = page.locator('.parts .gap + dd');
-  await left.getByText(/^at most/).waitFor();
-  // The proof takes a second, and tells of a better path at its end at the latest.
-  let [before, now] = ['', await left.textContent()];
-  while (now !== before) {
-    await page.waitForTimeout(3000);
-    [before, now] = [now, await left.textContent()];
-  }
-  assert.equal(await program(), first);
+  it('makes a better path that it finds the plan, and its program is checked again', async (t) => {
+    const { page, program, first } = await plannedAtOnce(t, 'seconds=0.001', 24);
+    const before = await facts(page);
+    await page.waitForFunction(() => document.querySelector('.dock-head').textContent === 'Optimal: no better path exists.');
+    assert.notEqual(await program(), first);
+    await page.waitForFunction((old) => document.querySelector('.preflight').textContent !== old, before);
+    assert.match(await facts(page), /24 contours/);
+    assert.deepEqual(beamRuns(await program()).length, 24);
+  });
+
+  it('leaves the plan of another method as it is', async (t) => {
+    const { page, program, first } = await plannedAtOnce(t, 'seconds=1&method=greedy', 12);
+    const left = page.locator('.parts .gap + dd');
+    await left.getByText(/^at most/).waitFor();
+    // The proof takes a second, and tells of a better path at its end at the latest.
+    let [before, now] = ['', await left.textContent()];
+    while (now !== before) {
+      await page.waitForTimeout(3000);
+      [before, now] = [now, await left.textContent()];
+    }
+    assert.equal(await program(), first);
+  });
 });
