@@ -10,9 +10,10 @@ use crate::solve::{self, Running, Solution};
 /// made [`ENOUGH`] moves.
 pub(super) const TURN: u32 = 1_000_000;
 const MOVES: u64 = 10_000;
-/// Where legs are priced by mixtures of the known path, the search goes first for so many moves: those of a poor path fit no other. Elsewhere it
-/// gains nothing.
+/// Where legs are priced by mixtures of the known path, the search goes first for so many moves, because the mixtures of a poor path are of little
+/// use for better ones. Elsewhere this gains nothing.
 const ALONE: u64 = 300_000;
+/// Moves of each of these turns.
 const MOVES_ALONE: u64 = 100_000;
 /// A path is proven optimal when the bound is no more than this share of its travel below it: twice what a look at all orders leaves.
 const PROVEN: f64 = 2e-7;

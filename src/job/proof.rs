@@ -135,6 +135,7 @@ pub struct Proof {
     optimum: Option<Optimum>,
     /// Work that is granted and not yet done: less than a turn.
     left: u64,
+    /// Turns so far.
     turns: u64,
     /// The cost of the path that was told last, s.
     told: f64,

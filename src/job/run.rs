@@ -181,9 +181,11 @@ impl Run {
 
     /// Takes over a path from elsewhere if it is better. Returns whether it did.
     pub fn take_over(&mut self, path: &WarmPath) -> Result<bool, JobError> {
-        let better = self.priced(path)?.cost < self.best().cost * (1.0 - warm_path::SAME_PATH);
+        let found = self.priced(path)?;
+        let better = found.cost < self.best().cost * (1.0 - warm_path::SAME_PATH);
         if better {
-            self.from_path |= self.offer(path)?;
+            self.running.with_dependent_mut(|_, search| search.offer(&found));
+            self.from_path = true;
         }
         Ok(better)
     }

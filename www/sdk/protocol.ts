@@ -214,7 +214,8 @@ export type FromWorker =
   /** `path`: a better path than before, which a proof has found. */
   | { type: 'bound'; id: number; lowerBound: number; path?: WarmPath | null }
   | { type: 'done'; id: number; reason: DoneReason; progress: Progress }
-  | { type: 'proof'; id: number; proof: Proof }
+  /** What a proof has come to. Its path was reported before. */
+  | { type: 'proof'; id: number; proof: Omit<Proof, 'path'> }
   /** The plan with the path that was offered; null if that takes no less. */
   | { type: 'offered'; id: number; progress: Progress | null }
   | { type: 'papers'; id: number; methods: PaperMethod[] }

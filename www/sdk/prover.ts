@@ -50,7 +50,11 @@ export class Prover implements ProofHandle {
 
   /** Ends with what was reported. `hindrance`: why there is no more. */
   private end(hindrance: string | null): void {
-    this.settle.resolve({ seconds: this.proven, certificate: null, path: this.path, hindrance });
+    this.finish({ seconds: this.proven, certificate: null, hindrance });
+  }
+
+  private finish(proof: Omit<Proof, 'path'>): void {
+    this.settle.resolve({ ...proof, path: this.path });
   }
 
   private receive(message: FromWorker): void {
@@ -61,7 +65,7 @@ export class Prover implements ProofHandle {
     } else if (message.type === 'proof' || message.type === 'failed') {
       this.connection.close();
       if (message.type === 'failed') this.settle.reject(KerfwayError.of(message.error));
-      else this.settle.resolve(message.proof);
+      else this.finish(message.proof);
     }
   }
 }

@@ -21,13 +21,11 @@ const MILLION = 1_000_000;
 
 export class Proving {
   private stopped = false;
-  /** The best path so far. */
-  private path: WarmPath | null = null;
 
   constructor(private readonly work: Work) {}
 
   /** Works until the budget is used up or nothing more can be proven. Each higher bound is reported, and a better path soon. */
-  run({ seconds = Infinity, work = Infinity }: ProofBudget, report: (seconds: number, path: WarmPath | null) => void): Promise<Proof> {
+  run({ seconds = Infinity, work = Infinity }: ProofBudget, report: (seconds: number, path: WarmPath | null) => void): Promise<Omit<Proof, 'path'>> {
     const until = performance.now() + 1000 * seconds;
     const most = work * MILLION;
     let [done, proven, reportBy, pathFrom] = [0, 0, performance.now() + QUIET_MS, performance.now() + PATH_MS];
@@ -38,7 +36,7 @@ export class Proving {
           done += SLICE;
           const bound = this.work.seconds();
           const now = performance.now();
-          const better = now >= pathFrom ? this.better() : null;
+          const better = now >= pathFrom ? this.work.betterPath() : null;
           if (better !== null) pathFrom = now + PATH_MS;
           if (bound > proven || better !== null || now >= reportBy) {
             [proven, reportBy] = [bound, now + QUIET_MS];
@@ -46,9 +44,9 @@ export class Proving {
           }
           if (more && !this.stopped && now < until) later(slice);
           else {
-            const last = this.better();
+            const last = this.work.betterPath();
             if (last !== null) report(bound, last);
-            resolve({ seconds: bound, certificate: this.work.certificate() ?? null, path: this.path, hindrance: this.work.hindrance() ?? null });
+            resolve({ seconds: bound, certificate: this.work.certificate() ?? null, hindrance: this.work.hindrance() ?? null });
           }
         } catch (error) {
           reject(error as Error);
@@ -56,13 +54,6 @@ export class Proving {
       };
       later(slice);
     });
-  }
-
-  /** A better path than before, if there is one. */
-  private better(): WarmPath | null {
-    const path = this.work.betterPath();
-    this.path = path ?? this.path;
-    return path;
   }
 
   stop(): void {

@@ -29,7 +29,7 @@ export function laterDetails(title: string, load: () => Promise<HTMLElement>, fa
   return root;
 }
 
-/** A closed section, the same. */
+/** A closed section whose content is loaded when it is opened. `failed`: as above. */
 export function laterSection(title: string, load: (section: Section) => Promise<HTMLElement>, failed: (sentence: string) => void): HTMLElement {
   const made = section(title, false);
   fillWhenOpened(made.root, async () => made.body.append(await load(made)), failed);
