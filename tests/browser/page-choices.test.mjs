@@ -48,7 +48,7 @@ test('a method from a paper is chosen, shows its figures, takes parameters and i
   assert.match(await seconds(page), /^Stopped/);
 });
 
-test('an invalid parameter is explained in a sentence, and the drawing stays', async (t) => {
+test('an invalid parameter is explained in a sentence, the drawing stays, and the choice can be undone', async (t) => {
   const { page } = await openPage(t, { hash: 'method=rlsga&seconds=300' });
   await page.waitForFunction(() => document.querySelector('[aria-label=Method]')?.value === 'rlsga');
   await open(page, 'Plan');
@@ -56,6 +56,11 @@ test('an invalid parameter is explained in a sentence, and the drawing stays', a
   await page.getByLabel('Population').fill('-1');
   await page.waitForFunction(() => document.querySelector('.dock-head').textContent.startsWith('The parameter '));
   assert.equal(await page.locator('.file-name').textContent(), 'sheet_500.dxf');
+  const dock = page.locator('.dock');
+  assert.deepEqual(await dock.getByRole('button').allInnerTexts(), ['Undo'], 'another drawing would not help');
+  await dock.getByRole('button', { name: 'Undo' }).click();
+  await phase(page, 'planning');
+  assert.equal(await page.getByLabel('Population').inputValue(), '200');
   await page.getByLabel('Population').fill('20');
   await phase(page, 'planning');
 });

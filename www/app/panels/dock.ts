@@ -31,9 +31,10 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
   const more = button(words.dock.more, { icon: 'next', onclick: () => session.planning.keepImproving() });
   const gcode = button(words.result.kinds.gcode, { icon: 'download', class: 'primary', onclick: actions.program });
   const gcodeLabel = gcode.querySelector('span')!;
+  const undo = button(words.dock.undo, { icon: 'undo', class: 'primary', onclick: () => session.undo() });
   const open = button(words.dock.choose, { icon: 'open', class: 'primary', onclick: actions.open });
   const sheet = button(words.dock.sheet, { icon: 'up', iconOnly: true, class: 'quiet sheet-toggle', 'aria-expanded': false, 'aria-controls': 'sections', onclick: actions.sheet });
-  const root = h('div', { class: 'dock' }, bar, name.root, h('div', { class: 'dock-state' }, h('div', {}, head, detail), sheet), h('div', { class: 'dock-actions' }, stop, pause, resume, more, gcode, open));
+  const root = h('div', { class: 'dock' }, bar, name.root, h('div', { class: 'dock-state' }, h('div', {}, head, detail), sheet), h('div', { class: 'dock-actions' }, stop, pause, resume, more, gcode, undo, open));
 
   const show = (state: State) => {
     const { phase, progress } = state;
@@ -45,7 +46,9 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
     gcode.hidden = phase !== 'done';
     disable(gcode, failsCheck(state) && !isOffBed(state) ? words.dock.fails : '');
     setText(gcodeLabel, words.result.kinds[state.machine?.takes ?? 'gcode']);
-    open.hidden = phase !== 'failed' && phase !== 'ready';
+    // A choice with which nothing can be planned is what to go back from; the drawing is not at fault.
+    undo.hidden = phase !== 'ready' || state.error === null || !session.canUndo;
+    open.hidden = phase !== 'failed' && (phase !== 'ready' || !undo.hidden);
     const busy = phase === 'starting' || phase === 'reading';
     bar.hidden = !running && !busy;
     bar.classList.toggle('busy', busy);

@@ -221,7 +221,7 @@ export const de: Words = {
   },
 
   dock: {
-    progress: 'Fortschritt', stop: 'Stopp', pause: 'Pause', resume: 'Fortsetzen', more: 'Weiter verbessern', choose: 'DXF oder SVG wählen', sheet: 'Zeichnung, Maschine, Plan, Ergebnis',
+    progress: 'Fortschritt', stop: 'Stopp', pause: 'Pause', resume: 'Fortsetzen', more: 'Weiter verbessern', undo: 'Rückgängig', choose: 'DXF oder SVG wählen', sheet: 'Zeichnung, Maschine, Plan, Ergebnis',
     starting: 'Der Planer startet…', reading: (file) => `${file} wird gelesen…`, question: 'Vor dem Planen wird eine Antwort gebraucht.',
     offBed: 'Nicht auf dem Arbeitsbereich, daher kein G-Code',
     fails: 'Das Programm besteht seine Prüfung nicht, daher wird es nicht ausgegeben',

@@ -170,7 +170,7 @@ export const en = {
   },
 
   dock: {
-    progress: 'Progress', stop: 'Stop', pause: 'Pause', resume: 'Resume', more: 'Keep improving', choose: 'Choose a DXF or SVG', sheet: 'Drawing, machine, plan, result',
+    progress: 'Progress', stop: 'Stop', pause: 'Pause', resume: 'Resume', more: 'Keep improving', undo: 'Undo', choose: 'Choose a DXF or SVG', sheet: 'Drawing, machine, plan, result',
     starting: 'Starting the planner…', reading: (file: string) => `Reading ${file}…`, question: 'An answer is needed first.',
     offBed: 'Not on the bed, so no G-code', fails: 'The program fails its check, so no G-code',
     nothing: 'Nothing to cut: set a layer to cut or mark.', failed: 'This file cannot be used.', optimal: 'Optimal: no better path exists.',

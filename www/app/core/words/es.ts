@@ -221,7 +221,7 @@ export const es: Words = {
   },
 
   dock: {
-    progress: 'Progreso', stop: 'Parar', pause: 'Pausa', resume: 'Reanudar', more: 'Seguir mejorando', choose: 'Elegir un DXF o SVG', sheet: 'Dibujo, máquina, plan, resultado',
+    progress: 'Progreso', stop: 'Parar', pause: 'Pausa', resume: 'Reanudar', more: 'Seguir mejorando', undo: 'Deshacer', choose: 'Elegir un DXF o SVG', sheet: 'Dibujo, máquina, plan, resultado',
     starting: 'Iniciando el planificador…', reading: (file) => `Leyendo ${file}…`, question: 'Hace falta una respuesta antes de planificar.',
     offBed: 'Fuera de la mesa, así que no hay G-code',
     fails: 'El programa no pasa su comprobación, así que no se entrega',

@@ -218,7 +218,7 @@ export const zh: Words = {
   },
 
   dock: {
-    progress: '进度', stop: '停止', pause: '暂停', resume: '继续', more: '继续改进', choose: '选择 DXF 或 SVG', sheet: '图、机器、方案、结果',
+    progress: '进度', stop: '停止', pause: '暂停', resume: '继续', more: '继续改进', undo: '撤销', choose: '选择 DXF 或 SVG', sheet: '图、机器、方案、结果',
     starting: '正在启动规划器…', reading: (file) => `正在读取 ${file}…`, question: '规划前需要一个回答。',
     offBed: '不在工作台上，因此没有 G 代码',
     fails: '程序未通过检查，因此不予输出',
