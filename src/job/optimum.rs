@@ -71,7 +71,8 @@ impl Optimum {
 
     /// Whether the best path is proven optimal: nothing is left to do.
     pub(super) fn is_proven(&self) -> bool {
-        !self.more && self.value() >= self.cost() * (1.0 - PROVEN)
+        let travel = self.cost() + self.running.borrow_owner().most_saved();
+        !self.more && self.value() >= travel * (1.0 - PROVEN)
     }
 
     /// Offers the search a better path that the bound has found, so that its own paths and that of the bound are compared in one place.

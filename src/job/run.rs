@@ -182,7 +182,7 @@ impl Run {
     /// Takes over a path from elsewhere if it is better. Returns whether it did.
     pub fn take_over(&mut self, path: &WarmPath) -> Result<bool, JobError> {
         let found = self.priced(path)?;
-        let better = found.cost < self.best().cost * (1.0 - warm_path::SAME_PATH);
+        let better = warm_path::is_better(found.cost, self.best().cost);
         if better {
             self.running.with_dependent_mut(|_, search| search.offer(&found));
             self.from_path = true;

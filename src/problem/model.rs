@@ -217,7 +217,18 @@ impl Problem {
 
     /// What every plan pays at its items, whatever its travel, s ([`Item::least`]), less what links and starts may save.
     pub fn paid(&self) -> f64 {
-        self.items.iter().map(Item::least).sum::<f64>() - self.links.most_saved() - self.starts.most_saved()
+        self.payments().sum()
+    }
+
+    /// The terms of [`Problem::paid`].
+    pub fn payments(&self) -> impl Iterator<Item = f64> {
+        let saved = [self.links.most_saved(), self.starts.most_saved()];
+        self.items.iter().map(Item::least).chain(saved.map(|seconds| -seconds))
+    }
+
+    /// No plan saves more by links and starts than this, s: its cost is no less than its travel less this.
+    pub fn most_saved(&self) -> f64 {
+        self.links.most_saved() + self.starts.most_saved()
     }
 
     /// The pieces that may tip, if moves avoid them.

@@ -206,6 +206,31 @@ fn fits_the_schema(text: &str) -> bool {
     true
 }
 
+/// A file of a megabyte may ask for a thousand million legs.
+#[test]
+fn certificates_that_would_take_hours_to_check_are_refused() {
+    let drawing = grid(2, 1);
+    let (text, _) = written(&drawing, &on("length"), 1_000_000);
+    let (at, end) = (text.rfind("\"travel\":{").unwrap(), text.rfind(",\"sha256\":").unwrap());
+    let refused = |n: usize| {
+        // Written as the file is, or its seal would not fit.
+        let knots: Vec<String> = (0..n).map(|k| (1.0 + k as f64 / 16_384.0).to_string()).collect();
+        let (knots, shares) = (format!("[{}]", knots.join(",")), serde_json::json!(vec![0; n]));
+        let legs = format!(
+            r#"[{{"items":[0,1],"shares":[[0],{shares}]}},{{"items":[0,2],"shares":[[0],{shares}]}},{{"items":[1,2],"shares":[{shares},{shares}]}}]"#
+        );
+        let travel = format!(
+            r#"{{"unit":-31,"knots":[[],{knots},{knots}],"legs":{legs},"far":[0,0,0],"cuts":[],"bound":0}}"#
+        );
+        let text = format!("{}\"travel\":{travel}{}", &text[..at], &text[end..]);
+        verified(&sealed(&text), &drawing, None).map_err(|e| e.split(" than").next().unwrap().to_owned())
+    };
+    // Zeros prove nothing, which is below the travel that the file states.
+    assert_eq!(refused(100).unwrap_err(), "The certificate states that no plan takes less");
+    assert_eq!(refused(20_000).unwrap_err(), "The certificate has more legs between knots");
+    assert_eq!(refused(200_001).unwrap_err(), "The certificate has more knots");
+}
+
 /// Where walks prove no more, the certificate is that by flows.
 #[test]
 fn a_certificate_by_flows_is_verified() {

@@ -12,6 +12,7 @@ mod boundary_any;
 mod bridges;
 mod calibration;
 mod certificate;
+mod chain_certificate;
 mod chains;
 mod common_cuts;
 mod common_cuts_exact;

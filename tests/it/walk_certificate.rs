@@ -3,9 +3,10 @@
 
 use crate::lower_bound::{entered_anywhere, scattered};
 use crate::testkit::sheets::{Dice, machine, nested_sheet};
+use kerfway::geometry::DVec2;
 use kerfway::job::problem_of;
 use kerfway::plan::{CertificateFault, Certified, LowerBound, MixedLegs, Part, PricedCut, WalkCertificate};
-use kerfway::problem::{Problem, Table};
+use kerfway::problem::{Item, Node, Problem, Table};
 use kerfway::solve;
 use std::time::Instant;
 
@@ -227,6 +228,38 @@ fn without_company_less_is_proven() {
         less += i32::from(without < with - 1.0);
     }
     assert!(less > 20, "{less}");
+}
+
+/// Walks stop as often as there are items. With 2,048 charges of 2^50 they seemed to go nowhere, and a bound that was too high was proven.
+#[test]
+fn charges_whose_sums_do_not_fit_are_refused() {
+    let point = |item: u32| Node {
+        item,
+        entry: DVec2::new(f64::from(item), 0.0),
+        exit: DVec2::new(f64::from(item), 0.0),
+        along: 0.0,
+        reversed: false,
+        twin: item,
+    };
+    let (count, machine) = (1_100_u32, machine("length"));
+    let problem = Problem {
+        items: (0..count).map(|i| Item { nodes: i..i + 1, ..Item::default() }).collect(),
+        nodes: (0..count).map(point).collect(),
+        ..Problem::empty(machine)
+    };
+    let all = 1 + count as usize;
+    let lists = vec![Vec::new(); all];
+    let charges = |each: i64| (0..all).map(|i| if i == 0 { 0 } else { each }).collect();
+    let certificate = WalkCertificate {
+        unit: -27,
+        knots: vec![Vec::new(); all],
+        near: lists.clone(),
+        company: lists,
+        charges: charges(1 << 50),
+        ..WalkCertificate::default()
+    };
+    let why = certificate.adds_up_to(&problem).unwrap_err().to_string();
+    assert_eq!(why, "The charges of the certificate do not fit the problem.");
 }
 
 #[test]

@@ -9,7 +9,7 @@ use crate::job::{LoadOptions, Place};
 use crate::machine::{Profile, Start};
 use crate::output::{json_text, sha256};
 use crate::plan::{Certificate, Certified, FlowCertificate, StopCertificate, WalkCertificate, with_paid};
-use crate::problem::{Item, Problem};
+use crate::problem::Problem;
 use serde::{Deserialize, Serialize};
 
 /// The name and version of the format.
@@ -64,7 +64,7 @@ impl Travel {
 
     /// The least seconds of the whole job, rounded down: a proven travel in units, and what every plan pays.
     pub(super) fn whole_job(&self, proven: i128, problem: &Problem) -> f64 {
-        with_paid(self.certified().stated().1, proven, problem.items.iter().map(Item::least))
+        with_paid(self.certified().stated().1, proven, problem.payments())
     }
 }
 

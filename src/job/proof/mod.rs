@@ -143,10 +143,8 @@ impl Proof {
     /// The best path that it has found, if that is better than the one that was told before. `None` above 220 contours, and where contours may be left
     /// unfinished or are cut as one.
     pub fn better_path(&mut self) -> Option<WarmPath> {
-        let optimum = self
-            .optimum
-            .as_ref()
-            .filter(|optimum| optimum.cost() < self.told * (1.0 - warm_path::SAME_PATH))?;
+        let optimum =
+            self.optimum.as_ref().filter(|optimum| warm_path::is_better(optimum.cost(), self.told))?;
         self.told = optimum.cost();
         optimum.path()
     }

@@ -34,7 +34,13 @@ pub struct WarmPath {
 const SAME_PLACE: f64 = 1e-6;
 
 /// Paths whose costs differ by a smaller share are the same but for rounding.
-pub(super) const SAME_PATH: f64 = 1e-9;
+const SAME_PATH: f64 = 1e-9;
+
+/// Whether a path of this cost is better than one of that cost. Costs may be below 0 where contours are joined through waste.
+pub(super) fn is_better(cost: f64, than: f64) -> bool {
+    // The other cost may be infinite.
+    cost < than && (than - cost) > SAME_PATH * cost.abs()
+}
 
 /// The stops of a path, if it visits every contour of the problem once, in a feasible order.
 pub(super) fn solution(warm: &WarmPath, problem: &Problem) -> Result<Solution, JobError> {

@@ -25,6 +25,38 @@ const SLOWER: f64 = 1024.0;
 /// The seconds across everything are at most this power of two of the unit, so that no sum of shares exceeds 64 bits.
 const BITS: i32 = 40;
 
+/// Most knots of all items: about 50 MB.
+pub(super) const MOST_KNOTS: usize = 400_000;
+
+/// What a check may still take, so that a certificate from elsewhere neither fills the memory nor takes hours.
+pub(super) struct Effort {
+    legs: u128,
+}
+
+impl Effort {
+    /// Most legs between the knots of two items: 150 MB.
+    const OF_A_PAIR: u128 = 4_000_000;
+    /// Most legs between knots, and most knots looked at for cuts: some minutes in wasm, where 64 million legs took 49 s on a busy machine.
+    const IN_ALL: u128 = 400_000_000;
+
+    /// What a check may take of items with so many knots, after it has looked at all of them for each of its cuts.
+    pub(super) fn after(cuts: usize, knots: usize) -> Result<Self, CertificateFault> {
+        if knots > MOST_KNOTS {
+            return Err(CertificateFault::TooMuch("knots"));
+        }
+        let legs = Self::IN_ALL.checked_sub(cuts as u128 * knots as u128);
+        Ok(Self { legs: legs.ok_or(CertificateFault::TooMuch("cuts"))? })
+    }
+
+    /// Takes what the legs between two items take; call it before they are made.
+    pub(super) fn look_at(&mut self, [n, m]: [usize; 2]) -> Result<(), CertificateFault> {
+        let legs = n as u128 * m as u128;
+        let left = self.legs.checked_sub(legs).filter(|_| legs <= Self::OF_A_PAIR);
+        self.legs = left.ok_or(CertificateFault::TooMuch("legs between knots"))?;
+        Ok(())
+    }
+}
+
 /// The shares of the legs between two items that each of them pays.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -177,6 +209,7 @@ impl Certified for Certificate {
             return Err(CertificateFault::Problem);
         }
         let first = homes(problem);
+        let mut effort = Effort::after(self.cuts.len(), self.knots.iter().map(Vec::len).sum())?;
         let items = divided(problem, &self.knots)?;
         if self.far.len() != items.len() {
             return Err(CertificateFault::Shape("knots"));
@@ -197,6 +230,7 @@ impl Certified for Certificate {
             if !fits || legs.shares[0].len() != items[a].knots || legs.shares[1].len() != items[b].knots {
                 return Err(CertificateFault::Shape("shares"));
             }
+            effort.look_at([a, b].map(|k| items[k].knots))?;
             let mut pairs = Pairs::new(items.len());
             pairs.add(&items, &prices, [a, b], true);
             let table = pairs.table(&pairs.list[0], items[a].knots * items[b].knots);

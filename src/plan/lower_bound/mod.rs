@@ -143,6 +143,8 @@ const STRONG: usize = 220;
 #[derive(Debug)]
 pub struct LowerBound {
     method: Method,
+    /// No plan saves more by links and starts than this, s: the travel of a path is no more than its cost and this.
+    saved: f64,
     /// Work that is granted and not yet done; negative after a piece of work that exceeded the grant.
     left: i64,
     /// The best walks, when nothing is left to do.
@@ -181,6 +183,7 @@ impl LowerBound {
         };
         Self {
             method,
+            saved: problem.most_saved(),
             left: 0,
             #[cfg(feature = "research")]
             record: None,
@@ -194,6 +197,7 @@ impl LowerBound {
     /// Looks at about `work` more numbers, a few nanoseconds each. `upper` is the cost of a known solution: it sets the
     /// length of steps but does not affect the validity of the bound. Returns whether more work may help.
     pub fn improve(&mut self, work: u32, upper: f64) -> bool {
+        let upper = upper + self.saved;
         self.left += i64::from(work);
         while self.left > 0 {
             let done = match &mut self.method {
@@ -276,7 +280,7 @@ impl LowerBound {
         }
     }
 
-    /// The bound, s.
+    /// The bound of the travel, s: a cost is no less than this less what links and starts may save ([`Problem::most_saved`]).
     pub fn value(&self) -> f64 {
         match &self.method {
             Method::Cheap(cheap) => cheap.value(),

@@ -1,7 +1,7 @@
 //! Certificates of the bound by stops (`postman`), and their check in whole numbers. As with [`super::Certificate`], how the numbers were
 //! found does not matter; the check shares the division of contours, the seconds between pieces and the stops of items with the search.
 
-use super::certificate::{CertificateFault, Certified, unit, units};
+use super::certificate::{CertificateFault, Certified, Effort, unit, units};
 use super::net::{Item, homes};
 use super::pairs::{Pairs, box_seconds};
 use super::postman::{Member, Stop, Stops, applies, members};
@@ -60,6 +60,7 @@ impl Certified for StopCertificate {
             return Err(CertificateFault::Problem);
         }
         let first = homes(problem);
+        let mut effort = Effort::after(self.cuts.len(), self.knots.iter().map(Vec::len).sum())?;
         let mut members = members(problem);
         if self.knots.len() != members.len() || self.potentials.len() != members.len() {
             return Err(CertificateFault::Shape("knots"));
@@ -78,7 +79,7 @@ impl Certified for StopCertificate {
             return Err(CertificateFault::Shape("units"));
         }
         let cuts = Cuts::read(&self.cuts, &members, first).ok_or(CertificateFault::Shape("cuts"))?;
-        self.legs_are_paid(&items, &prices, (power, guard), first, &cuts)?;
+        self.legs_are_paid(&items, &prices, (power, guard), first, (&cuts, &mut effort))?;
         let mut sum = cuts.joined;
         for (k, member) in members.iter().enumerate() {
             sum += self.cheapest(k, member, power, &cuts).ok_or(CertificateFault::Overpaid("stop"))?;
@@ -95,7 +96,7 @@ impl StopCertificate {
         prices: &Prices,
         (power, guard): (i32, f64),
         first: usize,
-        cuts: &Cuts,
+        (cuts, effort): (&Cuts, &mut Effort),
     ) -> Result<(), CertificateFault> {
         let most: Vec<i128> =
             self.potentials.iter().map(|u| u.iter().copied().max().unwrap_or(0).into()).collect();
@@ -109,6 +110,7 @@ impl StopCertificate {
                         continue;
                     }
                 }
+                effort.look_at([a, b].map(|k| items[k].knots))?;
                 let mut pairs = Pairs::new(items.len());
                 pairs.add(items, prices, [a, b], true);
                 let [n, m] = [a, b].map(|k| items[k].knots);

@@ -26,7 +26,7 @@ mod orders;
 mod shortest;
 mod states;
 
-use super::certificate::{CertificateFault, Certified, divided, unit};
+use super::certificate::{CertificateFault, Certified, MOST_KNOTS, divided, unit};
 use super::mixtures::{MixedLegs, Mixtures};
 use super::net::{Item, homes};
 use super::order::Order;
@@ -38,10 +38,10 @@ use serde::{Deserialize, Serialize};
 use shortest::{Most, NONE, Walks};
 use states::{MOST_ITEMS, States};
 
-/// Most knots of all items: about 50 MB.
-const MOST_KNOTS: usize = 400_000;
-/// Largest charge, and largest sum of the prices of cuts, in units: sums of whole walks fit into 64 bits.
+/// Largest potential, and largest sum of the prices of cuts, in units: a thousand times a leg across everything.
 const LARGEST: i64 = 1 << 50;
+/// Largest sum that a walk may pay or be given by charges and prices, in units. With its legs it stays far below [`NONE`], also below 0.
+const MOST_PAID: i128 = 1 << 60;
 
 /// Numbers that prove a bound of travel by walks.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -88,6 +88,7 @@ impl Certified for WalkCertificate {
         let most = if self.all_orders { Most::OF_ORDERS } else { Most::OF_WALKS };
         walks.are_few(&most, self.cuts.len(), ground.items.len())?;
         let cuts = ground.cuts(&self.cuts)?;
+        self.pays_little()?;
         let costs = walks.costs((self.unit, ground.guard), &self.charges, &cuts)?;
         // What a tour pays for charges and prices beside its legs.
         let beside = self.charges.iter().copied().map(i128::from).sum::<i128>() - cuts.back;
@@ -105,13 +106,20 @@ impl Certified for WalkCertificate {
 impl WalkCertificate {
     /// Whether the charges are those of the items.
     fn fits(&self, count: usize, first: usize) -> Result<(), CertificateFault> {
-        let charge = |(item, charge): (usize, &i64)| {
-            if item < first { *charge == 0 } else { (-LARGEST..=LARGEST).contains(charge) }
-        };
-        if self.charges.len() != count || !self.charges.iter().enumerate().all(charge) {
+        let is_free = self.charges.iter().take(first).all(|&charge| charge == 0);
+        if self.charges.len() != count || !is_free {
             return Err(CertificateFault::Shape("charges"));
         }
         Ok(())
+    }
+
+    /// Whether what walks pay fits into 64 bits: they make as many stops as there are items, all of them where most is paid.
+    fn pays_little(&self) -> Result<(), CertificateFault> {
+        let most = self.charges.iter().map(|charge| charge.unsigned_abs()).max().unwrap_or(0);
+        // A stop pays the price of a cut twice at most.
+        let prices: i128 = self.cuts.iter().map(|cut| i128::from(cut.price)).sum();
+        let paid = self.charges.len() as i128 * (i128::from(most) + 2 * prices);
+        if paid > MOST_PAID { Err(CertificateFault::Shape("charges")) } else { Ok(()) }
     }
 }
 

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 
 /// Most numbers in a row of values: 32 MB.
 const MOST_WIDTH: usize = 4_000_000;
-/// No walk comes here. Values of walks are less than half of it, whatever the numbers of the certificate are.
+/// No walk comes here. Values of walks are less than half of it, because larger charges and prices are refused.
 pub(super) const NONE: i64 = 1 << 62;
 
 /// How much a check may take.
