@@ -3,11 +3,11 @@
 //
 //     npm run bench -- solve [sheets|grids|holes|pool|qu-du|proofs|bounds|bounds-gtsplib|stops|gtsplib|pcgtsp|large|scaling]...
 //                            [--seconds S] [--seeds K] [--only NAME] [--cpu] [--data FOLDER]
-//                            [--tsplib FOLDER [--log FILE] [--lkh PROGRAM]]
+//                            [--gtsplib FOLDER [--log FILE] [--tours FOLDER] [--lkh PROGRAM]]
 //
 // `--cpu` counts processor time instead of the time of the clock, for a machine that others use too (Linux only).
-// `large`: the instances of GTSPLIB with 200 sets and more, made from the files of TSPLIB in the folder that `--tsplib` names
-// (benches/solve/large.mjs: `--log` keeps each run, and goes on from what is there; `--lkh` runs the program LKH beside).
+// `large`: the instances of GTSPLIB with 200 sets and more in the folder that `--gtsplib` names (benches/solve/large.mjs: `--log` keeps
+// each run, and goes on from what is there; `--tours` adds the best tours of GLKH, `--lkh` runs the program LKH beside).
 // Instances are in benches/data. Those that may not be copied are read from `--data FOLDER` (benches/data/README.md). Each run has a
 // process of its own, one after the other, and ends early when the best known value is reached. The tour at the end of a run is
 // checked by code that shares nothing with the search. Other solvers run on the same instances if Python has them
@@ -65,7 +65,8 @@ export async function bench(args) {
       only: { type: 'string' },
       cpu: { type: 'boolean' },
       data: { type: 'string' },
-      tsplib: { type: 'string' },
+      gtsplib: { type: 'string' },
+      tours: { type: 'string' },
       log: { type: 'string' },
       lkh: { type: 'string' },
     },
@@ -74,7 +75,7 @@ export async function bench(args) {
   if (unknown !== undefined) throw new Stop(`There is no set ${unknown}: ${Object.keys(SETS).join(', ')}.`);
   const instances = new Instances(values.data);
   await setup({ tests: true });
-  const chosen = positionals.length > 0 ? positionals : Object.keys(SETS).filter((name) => name !== 'large' || values.tsplib !== undefined);
+  const chosen = positionals.length > 0 ? positionals : Object.keys(SETS).filter((name) => name !== 'large' || values.gtsplib !== undefined);
   build(chosen);
   for (const name of chosen) {
     const { seconds = SECONDS[name] ?? USUAL_SECONDS, seeds = 5, ...more } = values;

@@ -40,10 +40,11 @@ const PLACES = {
   UPPER_DIAG_ROW: (n) => (a, b) => Math.min(a, b) * n - (Math.min(a, b) * (Math.min(a, b) + 1)) / 2 + Math.max(a, b),
 };
 
+const numbers = (rows) => rows.filter(Boolean).flatMap((row) => row.split(/\s+/).map(Number));
+
 /** The number of nodes of an instance and the cost between two of them, which are counted from 0. */
 export function costs({ header, sections }) {
   const [count, kind, form] = ['DIMENSION', 'EDGE_WEIGHT_TYPE', 'EDGE_WEIGHT_FORMAT'].map((key) => header.get(key));
-  const numbers = (rows) => rows.flatMap((row) => row.split(/\s+/).map(Number));
   if (kind === 'EXPLICIT' && form in PLACES) {
     const matrix = numbers(sections.get('EDGE_WEIGHT_SECTION'));
     const place = PLACES[form](Number(count));
@@ -54,10 +55,26 @@ export function costs({ header, sections }) {
   return { count: nodes.length, cost: (a, b) => COSTS[kind](nodes[a], nodes[b]) };
 }
 
+/** The sets of an instance of GTSPLIB, as node numbers from 1. A set may go on in the next line of the file. */
+export function setsOf({ sections }) {
+  const sets = [];
+  let open = [];
+  for (const number of numbers(sections.get('GTSP_SET_SECTION'))) {
+    if (number !== -1) {
+      open.push(number);
+      continue;
+    }
+    // The number of the set comes first.
+    sets.push(open.slice(1));
+    open = [];
+  }
+  return sets;
+}
+
 /** The length of a tour, node numbers from 1, that visits every set of an instance of GTSPLIB once; a fault is a sentence of a `Stop`. */
 export function lengthOf(instance, tour) {
   const { count, cost } = costs(instance);
-  const sets = instance.sections.get('GTSP_SET_SECTION').filter(Boolean).map((row) => row.split(/\s+/).map(Number).slice(1, -1));
+  const sets = setsOf(instance);
   const setOf = new Map(sets.flatMap((nodes, set) => nodes.map((node) => [node, set])));
   const visited = new Set();
   for (const node of tour) {

@@ -7,8 +7,6 @@ import { tmpdir } from 'node:os';
 import { join, sep } from 'node:path';
 import { describe, it } from 'node:test';
 import { Instances } from '../../benches/common/data.mjs';
-import { clusters, generalisedFrom, generalisedRandom } from '../../benches/solve/clusters.mjs';
-import { parts } from '../../benches/solve/tsplib.mjs';
 import { ROOT } from './support.mjs';
 
 const manifest = JSON.parse(readFileSync(join(ROOT, 'benches', 'data', 'manifest.json'), 'utf8'));
@@ -42,50 +40,6 @@ describe('benches/data', () => {
       .map((entry) => join(entry.parentPath, entry.name));
     const named = manifest.files.map(({ stored }) => join(ROOT, stored));
     assert.deepEqual(stored.filter((file) => !named.includes(file)), []);
-  });
-
-  it('has the sets of GTSPLIB that the clustering of its authors makes', () => {
-    const instances = new Instances();
-    // Those of asymmetric costs were made in another way.
-    const symmetric = instances.list('gtsplib', '.gtsp').filter((path) => !/ftv|rbg/.test(path));
-    assert.equal(symmetric.length, 24);
-    for (const path of symmetric) {
-      const instance = parts(readFileSync(instances.file(path), 'latin1'));
-      const stored = instance.sections.get('GTSP_SET_SECTION').filter(Boolean).map((row) => row.split(/\s+/).slice(1, -1).map((node) => node - 1));
-      const sorted = (sets) => sets.map((set) => set.toSorted((a, b) => a - b).join(' ')).sort();
-      assert.deepEqual(sorted(clusters(instance)), sorted(stored), path);
-    }
-  });
-
-  it('makes an instance of GTSPLIB from a file of TSPLIB', () => {
-    const folder = mkdtempSync(join(tmpdir(), 'kerfway-tsplib-'));
-    try {
-      // Nodes on a line, in three heaps of five.
-      const places = [0, 100, 200].flatMap((x) => [0, 1, 2, 3, 4].map((dx) => x + dx));
-      const nodes = places.map((x, k) => `${k + 1} ${x} 0`);
-      writeFileSync(join(folder, 'heaps15.tsp'), ['NAME : heaps15', 'TYPE : TSP', 'DIMENSION : 15', 'EDGE_WEIGHT_TYPE : EUC_2D', 'NODE_COORD_SECTION', ...nodes, 'EOF', ''].join('\n'));
-      assert.deepEqual(generalisedFrom(folder, { least: 4 }), []);
-      const [{ sets, file: make }] = generalisedFrom(folder, { least: 3 });
-      assert.equal(sets, 3);
-      const file = make();
-      assert.match(file, /3heaps15\.gtsp$/);
-      const made = parts(readFileSync(file, 'latin1'));
-      assert.deepEqual(made.sections.get('GTSP_SET_SECTION').filter(Boolean), ['1 11 12 13 14 15 -1', '2 1 2 3 4 5 -1', '3 6 7 8 9 10 -1']);
-      const solved = spawnSync(process.execPath, [join(ROOT, 'dist', 'sdk', 'cli.js'), 'solve', file, '--moves', '1000'], { encoding: 'utf8' });
-      assert.equal(solved.status, 0, solved.stderr);
-      assert.match(solved.stdout, /\b392\b/);
-      rmSync(file);
-    } finally {
-      rmSync(folder, { recursive: true });
-    }
-  });
-
-  it('makes the eight of DIMACS with 200 sets and more', () => {
-    const made = generalisedRandom({ least: 200 });
-    assert.deepEqual(made.map(({ name }) => name), ['200E1k.0', '200C1k.0', '633E3k.0', '633C3k.0', '2000E10k.0', '2000C10k.0', '6325E31k.0', '6325C31k.0']);
-    const { header, sections } = parts(readFileSync(made[1].file(), 'latin1'));
-    assert.deepEqual([header.get('DIMENSION'), header.get('GTSP_SETS')], ['1000', '200']);
-    assert.equal(sections.get('GTSP_SET_SECTION').filter(Boolean).flatMap((row) => row.split(' ').slice(1, -1)).length, 1000);
   });
 
   it('reports what was not run, and why', () => {

@@ -1,28 +1,14 @@
-// The bench of GTSPLIB's large instances: DIMACS' random instances, LKH beside, lengths that are added up again, and the table.
+// The bench of GTSPLIB's large instances: the best tours of GLKH and the program LKH beside, lengths that are added up again, and the table.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { createHash } from 'node:crypto';
-import { chmodSync, readFileSync, writeFileSync } from 'node:fs';
+import { chmodSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { mulberry32 } from '../../benchmark/generate.mjs';
-import { random } from '../../benches/solve/dimacs.mjs';
-import { checked, lineOf, markdown, read } from '../../benches/solve/large.mjs';
-import { costs, lengthOf, parts } from '../../benches/solve/tsplib.mjs';
+import { checked, instancesIn, lineOf, markdown, published, read } from '../../benches/solve/large.mjs';
+import { costs, lengthOf, parts, setsOf } from '../../benches/solve/tsplib.mjs';
 import { folder, ROOT } from './support.mjs';
-
-/** SHA-256 of what portgen.c and portcgen.c of the Eighth DIMACS Implementation Challenge (1999) print, compiled by gcc 12. */
-const DIMACS = {
-  'E1k.0': 'a1a2e090cbc6c916f6920cec949400a70d3c4de03d516197848e57f352b8f596',
-  'C1k.0': 'a7875db1ea0bc719e6eccdbe8c42301ddff4c9582b99805c09b536e73ab447a8',
-  'E3k.0': 'b6d2eb3215adf296aee958b6333e52e66e021ec489d7876f422e7984ee0ba3f9',
-  'C3k.0': 'c74f9be8e0ae35ff855014efa484c4b4e60e9f427f12b93b0fa73aa97df54480',
-  'E10k.0': '57ed8b6a79233c00011086bc063b896bc91b2e6762cecfbc151d9a06eaa17353',
-  'C10k.0': 'ce3ef19e45235fa5186724aeb8131f1df9abbe213f209ea7160ea33f157100c1',
-  'E31k.0': '498f44551cce6269a9addcfb89537182e59407f4b01be20e9761fef1ccc6683a',
-  'C31k.0': '6e0a90ce9f605c9a1246da6a66ad8a14e18615b22307761b893c60a3da9d3c46',
-};
 
 /** Two nodes a set, on a line. */
 const LINE = ['NAME: 3line6', 'TYPE: GTSP', 'DIMENSION: 6', 'EDGE_WEIGHT_TYPE: EUC_2D', 'GTSP_SETS: 3', 'NODE_COORD_SECTION', ...[0, 1, 10, 11, 20, 21].map((x, k) => `${k + 1} ${x} 0`), 'GTSP_SET_SECTION', '1 1 2 -1', '2 3 4 -1', '3 5 6 -1', 'EOF', ''].join('\n');
@@ -37,8 +23,6 @@ function drawn(seed) {
   return ['NAME: drawn', 'TYPE: AGTSP', `DIMENSION: ${nodes}`, `GTSP_SETS: ${sets.length}`, 'EDGE_WEIGHT_TYPE: EXPLICIT', 'EDGE_WEIGHT_FORMAT: FULL_MATRIX', 'EDGE_WEIGHT_SECTION', ...matrix.map((row) => row.join(' ')), 'GTSP_SET_SECTION', ...sets.map((set, k) => [k + 1, ...set, -1].join(' ')), 'EOF', ''].join('\n');
 }
 
-const setsOf = (instance) => instance.sections.get('GTSP_SET_SECTION').filter(Boolean).map((row) => row.split(' ').map(Number).slice(1, -1));
-
 /** The length of the best tour, by trying all. */
 function optimum(instance) {
   const extend = (tour, left) => (left.length === 0 ? [lengthOf(instance, tour)] : left.flatMap((set, k) => set.flatMap((node) => extend([...tour, node], left.toSpliced(k, 1)))));
@@ -50,11 +34,35 @@ const python = process.env.KERFWAY_PYTHON ?? 'python3';
 const NEEDS_NUMPY = { skip: spawnSync(python, ['-c', 'import numpy']).status !== 0 && 'Python has no numpy' };
 
 describe('the bench of large instances', () => {
-  for (const [name, sha256] of Object.entries(DIMACS)) {
-    it(`makes ${name} as the generators of the challenge do, byte for byte`, () => {
-      assert.equal(createHash('sha256').update(random(name)).digest('hex'), sha256);
-    });
-  }
+  it('reads the instances with 200 sets and more, and sets that go on in the next line', (t) => {
+    const place = folder(t);
+    const nodes = Array.from({ length: 400 }, (_, k) => `${k + 1} ${k} 0`);
+    const sets = Array.from({ length: 200 }, (_, k) => `${k + 1} ${2 * k + 1}\n ${2 * k + 2} -1`);
+    writeFileSync(join(place, '200line400.gtsp'), ['NAME : 200line400', 'TYPE : GTSP', 'DIMENSION : 400', 'EDGE_WEIGHT_TYPE : EUC_2D', 'GTSP_SETS : 200', 'NODE_COORD_SECTION', ...nodes, 'GTSP_SET_SECTION :', ...sets, 'EOF', ''].join('\n'));
+    writeFileSync(join(place, '3line6.gtsp'), LINE);
+    const [instance, ...others] = instancesIn(place);
+    assert.deepEqual([instance.name, instance.nodes, instance.sets, others], ['200line400', 400, 200, []]);
+    assert.deepEqual(instancesIn(place, 'other'), []);
+    const read = setsOf(parts(readFileSync(instance.path, 'latin1')));
+    assert.deepEqual([read.length, read[0], read[199]], [200, [1, 2], [399, 400]]);
+    const solved = spawnSync(process.execPath, [join(ROOT, 'dist', 'sdk', 'cli.js'), 'solve', instance.path, '--moves', '300000', '--seed', '1', '--json', '-'], { encoding: 'utf8' });
+    assert.equal(solved.status, 0, solved.stderr);
+    // From the last node of the first set to the first of the last, and back.
+    assert.equal(JSON.parse(solved.stdout).length, 2 * 397);
+  });
+
+  it('takes the best tour of GLKH, if its length is that of its name', (t) => {
+    const place = folder(t);
+    const instance = { name: '3line6', nodes: 6, sets: 3, path: join(place, '3line6.gtsp') };
+    writeFileSync(instance.path, LINE);
+    const tour = ['NAME : line6.38.tour', 'TYPE : TOUR', 'DIMENSION : 3', 'TOUR_SECTION', '2', '3', '5', '-1', 'EOF', ''].join('\n');
+    writeFileSync(join(place, '3line6.38.tour'), tour);
+    writeFileSync(join(place, '3line6.more.30.tour'), tour);
+    assert.deepEqual(published(instance, place), { by: 'GLKH', instance: '3line6', nodes: 6, sets: 3, value: 38, checked: 'coordinates' });
+    renameSync(join(place, '3line6.38.tour'), join(place, '3line6.37.tour'));
+    assert.throws(() => published(instance, place), /the tour is 38 long and not 37/);
+    assert.throws(() => published({ ...instance, name: '3line7' }, place), /no tour of 3line7/);
+  });
 
   it('adds the length of a tour up from the coordinates, and refuses what is no tour', () => {
     const instance = parts(LINE);
@@ -108,8 +116,9 @@ describe('the bench of large instances', () => {
   it('makes a table of medians, of the longest run of each seed', () => {
     const line = (seed, limit, after) => JSON.stringify({ by: 'kerfway', instance: '3line6', sets: 3, seed, limit, first: 50, after, value: Math.min(...Object.values(after)), memory: 2e6, checked: 'coordinates' });
     const lkh = JSON.stringify({ by: 'LKH', instance: '3line6', sets: 3, seed: 1, limit: 60, seconds: 71.4, value: 44, checked: 'coordinates' });
-    const lines = read([line(1, 60, { 10: 45, 60: 44 }), line(2, 60, { 10: 43, 60: 41 }), line(3, 60, { 10: 42, 60: 39 }), line(1, 600, { 10: 45, 60: 40, 600: 38 }), lkh, ''].join('\n'));
-    assert.equal(markdown(lines).split('\n').at(-1), '| 3line6 | 3 | 1, 2, 3 | 50 | 43 | 40 | 38 | 38 |  | 44 (10.000%, 71 s) | 2 MB |'.replace('%', ' %'));
+    const glkh = JSON.stringify({ by: 'GLKH', instance: '3line6', sets: 3, value: 40, checked: 'coordinates' });
+    const lines = read([line(1, 60, { 10: 45, 60: 44 }), line(2, 60, { 10: 43, 60: 41 }), line(3, 60, { 10: 42, 60: 39 }), line(1, 600, { 10: 45, 60: 40, 600: 38 }), lkh, glkh, ''].join('\n'));
+    assert.equal(markdown(lines).split('\n').at(-1), '| 3line6 | 3 | 1, 2, 3 | 50 | 43 | 40 | 38 | 38 | 40 | -5.000 % | 44 (10.000 %, 71 s) | 2 MB |');
   });
 
   it('made the table in benches/data/README.md of the runs in large.jsonl', () => {
