@@ -343,3 +343,29 @@ fn the_header_tells_time_size_bounds_machine_material_and_hash_on_lines_of_their
         assert!(text.lines().all(|l| l.len() <= dialect.line_length as usize));
     }
 }
+
+/// Between passes the head goes down where it is. The beam is off then, also on machines that wait nowhere, and the move takes its time.
+#[test]
+fn every_dialect_lowers_the_head_in_the_dark() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("www/app/public/samples/sheet_100.dxf");
+    for (pierce_time, z_speed) in [(0.0, 20.0), (0.2, 8.0)] {
+        let mut machine = Profile { pierce_time, z_speed: Some(z_speed), ..machine() };
+        (machine.beam_on_delay, machine.beam_off_delay) = (0.0, 0.0);
+        (machine.cut.passes, machine.cut.z_step) = (3, 0.5);
+        let (job, plan) = planned(&file, &machine).unwrap();
+        for (choice, dialect, _) in shipped().into_iter().filter(|d| d.1.z) {
+            let (profile, facts) = (with(&machine, choice), output::SheetFacts::of(job.beam_sheet()));
+            let text = output::gcode(&plan, &facts, &profile, "passes", Start::Absolute).unwrap();
+            let check = output::check_against(&text, &profile, &plan).unwrap();
+            assert!(check.passed && check.passes == 3, "{}: {:?}", dialect.name, check.problems);
+            let off = (check.seconds - plan.summary.total_time).abs();
+            assert!(off < 0.002 * plan.summary.total_time, "{}: {off} s", dialect.name);
+        }
+    }
+    // As it was written before: the spot burnt while the head went down.
+    let machine = with(&machine(), DialectChoice::named("linuxcnc-spindle"));
+    let lit = "G21\nG90\nM5\nG0 X0 Y0\nM3 S800\nG1 X10 Y0 F600\nG0 Z-0.5\nG1 X0 Y0\nM5\nM2\n";
+    let problems = output::check(lit, &machine).unwrap().problems;
+    let found = problems.iter().find(|p| p.message.contains("rapid to another height")).unwrap();
+    assert_eq!(found.message, "Line 7 is a rapid to another height with the beam on, at power 800.");
+}

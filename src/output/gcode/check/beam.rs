@@ -122,6 +122,10 @@ impl<'d> Beam<'d> {
             PowerBy::Motion => self.s,
             PowerBy::OutputM67 | PowerBy::FanM106 | PowerBy::Macro => self.level,
         };
+        // Marlin: from 2.0.9.4 on a rapid takes the inline power back; before, it keeps it.
+        if rapid && self.inline {
+            self.s = 0.0;
+        }
         Power { lit: if rapid && *rapids_dark { 0.0 } else { asked }, asked }
     }
 

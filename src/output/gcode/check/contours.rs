@@ -30,7 +30,7 @@ pub(super) fn cuts(events: &[Event]) -> Vec<Cut> {
                 }
                 goes_on = true;
             }
-            Event::Move { .. } | Event::Contour => goes_on = false,
+            Event::Move { .. } | Event::Height { .. } | Event::Contour => goes_on = false,
             Event::Dwell { .. } => {}
         }
     }

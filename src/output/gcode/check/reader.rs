@@ -22,6 +22,8 @@ pub(super) enum Event {
         /// Whether the head is lifted at the end.
         lifted: bool,
     },
+    /// Rises or is lowered at its place with the beam off. `distance`: mm; 0 for lifts, which are part of the air moves.
+    Height { line: u32, power: Power, distance: f64 },
     /// Stands still.
     Dwell { line: u32, seconds: f64, power: Power },
     /// A comment of Kerfway's says that another contour begins.
@@ -203,8 +205,13 @@ impl Reader<'_, '_> {
             return self.dwell(line);
         }
         if let Some(z) = line.value('Z') {
-            let (was, base) = (self.is_lifted(), if self.relative { self.z } else { 0.0 });
-            self.z = base + z * unit;
+            let (was, from) = (self.is_lifted(), self.z);
+            self.z = if self.relative { from } else { 0.0 } + z * unit;
+            if self.motion == 0 && !line.has('X') && !line.has('Y') {
+                let distance = if was || self.is_lifted() { 0.0 } else { (self.z - from).abs() };
+                let (line, power) = (self.number, self.beam.moving(true));
+                self.program.events.push(Event::Height { line, power, distance });
+            }
             self.program.lifts = self.program.lifts.saturating_add(u32::from(!was && self.is_lifted()));
         }
         if line.has('X') || line.has('Y') {

@@ -85,6 +85,7 @@ pub(super) fn figures(program: &Program, cuts: &[Cut], profile: &Profile) -> Fig
                 dark_rapids &= !(*rapid && power.lit > 0.0);
                 first = false;
             }
+            Event::Height { power, .. } => dark_rapids &= power.lit <= 0.0,
             Event::Dwell { seconds, power, .. } => pierces += u32::from(*seconds > 0.0 && power.lit > 0.0),
             Event::Contour => {}
         }
@@ -156,6 +157,9 @@ fn seconds(program: &Program, profile: &Profile) -> f64 {
                 total +=
                     if first || lifted_from.is_some() { 0.0 } else { air.seconds(from, path.end(), way) };
                 first = false;
+            }
+            Event::Height { distance, .. } => {
+                total += finish(&mut run, speed) + profile.height_seconds(*distance);
             }
             Event::Dwell { seconds, .. } => total += finish(&mut run, speed) + seconds,
             Event::Contour => {}

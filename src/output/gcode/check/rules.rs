@@ -48,14 +48,17 @@ pub(super) fn beam(
     let mut contours = 0_u32;
     for event in &program.events {
         match event {
-            Event::Move { line, rapid: true, path, power, .. } => {
-                let (n, to) = (*line, path.end());
+            Event::Height { line, power, .. } | Event::Move { line, rapid: true, power, .. } => {
+                let n = *line;
                 if power.lit > 0.0 {
                     problems.error(Code::BeamOnRapid, Some(n), || {
-                        format!(
-                            "Line {n} is a rapid to {:.3}, {:.3} with the beam on, at power {}.",
-                            to.x, to.y, power.lit
-                        )
+                        let to = match event {
+                            Event::Move { path, .. } => {
+                                format!("to {:.3}, {:.3}", path.end().x, path.end().y)
+                            }
+                            _ => "to another height".into(),
+                        };
+                        format!("Line {n} is a rapid {to} with the beam on, at power {}.", power.lit)
                     });
                 } else if power.asked > 0.0 {
                     problems.add(Code::PowerOnRapid, doubtful, Some(n), || {
