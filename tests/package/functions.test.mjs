@@ -5,6 +5,8 @@ import { spawnSync } from 'node:child_process';
 import { createRequire } from 'node:module';
 import { describe, it } from 'node:test';
 import { createPlanner, inspect, plan, render } from 'kerfway';
+import { createFunctions } from '../../dist/sdk/functions.js';
+import { abortable } from '../../dist/sdk/with-planner.js';
 import { bytes, circle, dxf, KEYBOARD, square } from './support.mjs';
 
 const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
@@ -114,6 +116,37 @@ describe('render', () => {
   it('refuses another drawing', async () => {
     const planned = await plan(PLATE, { units: 'mm', moves: 10 });
     await assert.rejects(render(keyboard(), planned, 'svg'), /not the drawing that was planned/);
+  });
+});
+
+describe('jobs that share one planner, as those of an element do', () => {
+  it('an aborted job whose file is read late does not take the place of the next one', async (t) => {
+    const planner = await createPlanner();
+    t.after(() => planner.close());
+    const functions = createFunctions((work, signal) => abortable(work(planner), signal));
+    for (const late of ['plan', 'quote', 'inspect']) {
+      const control = new AbortController();
+      let read;
+      const older = functions[late](() => new Promise((resolve) => (read = resolve)), { name: 'older.dxf', signal: control.signal });
+      control.abort();
+      await assert.rejects(older, { name: 'AbortError' });
+      const newer = functions.plan(keyboard(), { name: 'newer.dxf', moves: 200_000, seed: 1, outputs: ['json'], onLoaded: () => read(PLATE) });
+      const { loaded, path, outputs, reason, moves } = await newer;
+      const document = JSON.parse(outputs.json);
+      assert.deepEqual([loaded.name, document.input.name, reason, moves], ['newer.dxf', 'newer.dxf', 'budget', 200_000], late);
+      assert.deepEqual([path.contours.length, loaded.contours.length], [60, 60], late);
+    }
+  });
+
+  it('an aborted job whose drawing has been loaded does not begin its search', async (t) => {
+    const planner = await createPlanner();
+    t.after(() => planner.close());
+    const functions = createFunctions((work, signal) => abortable(work(planner), signal));
+    const control = new AbortController();
+    const older = functions.plan(PLATE, { moves: 10, signal: control.signal, onLoaded: () => control.abort() });
+    await assert.rejects(older, { name: 'AbortError' });
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    await assert.rejects(planner.output('json'), /no plan yet/);
   });
 });
 

@@ -130,6 +130,7 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
       const work = async (planner: Planner) => {
         const loaded = await loadedBy(planner, source, options);
         await options.onLoaded?.(loaded);
+        options.signal?.throwIfAborted();
         const search = budgeted(options, loaded, defaultBudget);
         const handle = planner.plan(search, report);
         stop = () => handle.stop();
@@ -174,7 +175,7 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
     verifyQuote(source, report, options = {}) {
       const work = async (planner: Planner): Promise<Verification> => {
         const made = optionsOf(report);
-        const loaded = await loadedBy(planner, source, { ...made.reading, name: String(made.quote.input.name) });
+        const loaded = await loadedBy(planner, source, { ...made.reading, ...options, name: String(made.quote.input.name) });
         if (loaded.sha256 !== made.quote.input.sha256) return { valid: false, differences: ['input'], report: null };
         await planner.plan(planningOf(made.quote, loaded)).done;
         return compared(made.quote, await planner.quote(termsOf(made.quote)));
@@ -197,7 +198,7 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
     render(source, planned, kind, given = {}) {
       const work = async (planner: Planner) => {
         const { options, loaded, seed, method, path } = planned;
-        const again = await loadedBy(planner, source, { ...options, name: loaded.name });
+        const again = await loadedBy(planner, source, { ...reading(options), signal: given.signal, name: loaded.name });
         if (again.sha256 !== loaded.sha256) throw new KerfwayError('other-drawing', 'This is not the drawing that was planned: its bytes differ.');
         const { workers: _, seconds: __, ...rest } = planning(options);
         await planner.plan({ ...rest, seed, method, warm: path, moves: 0 }).done;
@@ -231,9 +232,13 @@ export function budgeted(options: PlanningOptions, loaded: Loaded, defaultBudget
   return { ...(isFree ? defaultBudget(loaded) : {}), ...planning(options) };
 }
 
-async function loadedBy(planner: Planner, source: Source, options: LoadOptions & { name?: string }): Promise<Loaded> {
+// A job may share its planner with the next one. Once it is aborted, it must not load or plan anything more.
+async function loadedBy(planner: Planner, source: Source, options: LoadOptions & Pick<JobOptions, 'name' | 'signal'>): Promise<Loaded> {
   const { bytes, name } = await readBytes(source);
-  return planner.load(bytes, options.name ?? name ?? NAME, reading(options));
+  options.signal?.throwIfAborted();
+  const loaded = await planner.load(bytes, options.name ?? name ?? NAME, reading(options));
+  options.signal?.throwIfAborted();
+  return loaded;
 }
 
 async function outputsOf<K extends OutputKind>(planner: Planner, kinds: readonly K[]): Promise<Outputs<K>> {
