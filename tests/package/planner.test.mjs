@@ -186,6 +186,22 @@ describe('the same seed and moves', () => {
   });
 });
 
+describe('a plan that another one has displaced', () => {
+  before(() => planner.load(bytes(KEYBOARD), 'keyboard.dxf'));
+
+  it('does not stop or pause the newer one', async () => {
+    for (const order of ['stop', 'pause']) {
+      const older = planner.plan(LONG);
+      await older.started;
+      const newer = planner.plan({ moves: 100_000, seed: 1 });
+      older[order]();
+      assert.equal((await older.done).reason, 'stopped');
+      const { reason, progress } = await newer.done;
+      assert.deepEqual([reason, progress.moves], ['budget', 100_000], order);
+    }
+  });
+});
+
 describe('a proof', () => {
   before(() => planner.load(bytes(KEYBOARD), 'keyboard.dxf'));
 

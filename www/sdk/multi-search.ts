@@ -79,7 +79,7 @@ export class MultiSearch {
   end(): void {
     const plan = this.plan;
     if (plan === null) return;
-    this.post({ type: 'stop' });
+    this.post({ type: 'stop', id: plan.id });
     const first = plan.ended.get(FIRST);
     if (first !== undefined) this.finish(plan, first);
     this.plan = null;
@@ -145,8 +145,8 @@ export class MultiSearch {
     plan.ended.set(member, { ...message, progress: { ...message.progress } });
     plan.merged(member, message.progress);
     // A budget in moves applies to each search. Any other budget ends for all when it ends for the first.
-    if (member === FIRST && !plan.inMoves) this.post({ type: 'stop' });
-    if (member === FIRST && message.reason === 'stopped') this.post({ type: 'stop' });
+    if (member === FIRST && !plan.inMoves) this.post({ type: 'stop', id: plan.id });
+    if (member === FIRST && message.reason === 'stopped') this.post({ type: 'stop', id: plan.id });
     this.finishIfAllEnded(plan);
     this.exchangeIfAllWait(plan);
   }

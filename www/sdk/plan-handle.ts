@@ -2,7 +2,7 @@
 
 import { bounded } from './bound.js';
 import { ClosedError, KerfwayError } from './errors.js';
-import type { Baselines, Beam, BestPath, DoneReason, Finding, FromWorker, Geometry, PlanOptions, Progress } from './protocol.js';
+import type { Baselines, Beam, BestPath, DoneReason, Finding, FromWorker, Geometry, PlanOptions, Progress, ToWorker } from './protocol.js';
 
 /** What is known when a plan starts. */
 export interface Started {
@@ -62,7 +62,7 @@ export class RunningPlan {
     readonly id: number,
     readonly options: PlanOptions,
     private readonly onProgress: (progress: Progress) => unknown,
-    private readonly post: (message: { type: 'pause' | 'resume' | 'stop' }) => void,
+    private readonly post: (message: ToWorker) => void,
   ) {
     // A caller that only waits for `done` gets a failure there, so it must not count as unhandled here.
     this.started.promise.catch(() => {});
@@ -159,7 +159,7 @@ export class RunningPlan {
   private request(type: 'pause' | 'resume' | 'stop'): void {
     if (this.ended) return;
     this.paused = type === 'pause';
-    this.post({ type });
+    this.post({ type, id: this.id });
   }
 }
 

@@ -181,11 +181,10 @@ export type ToWorker =
   | { type: 'plan'; id: number; options: PlanOptions & Membership }
   /** Continues the finished plan for another budget. */
   | { type: 'continue'; id: number; budget: Budget }
-  /** Ends an exchange between searches: continues from `path` if it is faster. After the end of a search, it takes over the path and answers with `done`. */
+  /** Ends an exchange between searches: continues from `path` if it is faster. After the end of a search, it takes over the path and answers with `done`. Ignored when another plan runs. */
   | { type: 'meet'; id: number; path: WarmPath | null }
-  | { type: 'pause' }
-  | { type: 'resume' }
-  | { type: 'stop' }
+  /** For the plan with this id; ignored when another one runs. */
+  | { type: 'pause' | 'resume' | 'stop'; id: number }
   /** Works on the lower bound of a job of its own. Sent to a worker that does nothing else. */
   | { type: 'prove'; id: number; bytes: ArrayBuffer; name: string; options: LoadOptions; planning: PlanOptions; budget: ProofBudget }
   /** A lower bound of the current plan's job in seconds, which another worker has proven. */

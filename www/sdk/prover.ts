@@ -40,7 +40,7 @@ export class Prover implements ProofHandle {
   }
 
   stop(): void {
-    this.connection.post({ type: 'stop' });
+    this.connection.post({ type: 'stop', id: 0 });
   }
 
   close(): void {

@@ -37,7 +37,8 @@ const MOST_WORK = 1e9;
 const EXCHANGES = { first: 2 ** 20, interval: 2 ** 24 };
 
 export class Search {
-  private id = -1;
+  /** The id of the plan, which all messages carry. */
+  id = -1;
   private work = FIRST_WORK;
   private scheduled = false;
   private state: 'running' | 'paused' | 'ended' = 'ended';
@@ -66,7 +67,7 @@ export class Search {
     if (workers > 1) this.meetAt = EXCHANGES.first;
   }
 
-  /** Starts the search with a budget. All messages carry this id. */
+  /** Starts the search with a budget, as the plan with this id. */
   run(id: number, budget: Budget): void {
     this.id = id;
     this.until = this.worked + (budget.seconds ?? Infinity) * 1000;

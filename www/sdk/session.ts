@@ -119,14 +119,11 @@ export class Session {
         this.search?.meet(message.path);
         return;
       case 'pause':
-        this.search?.pause();
-        return;
       case 'resume':
-        this.search?.resume();
-        return;
       case 'stop':
-        this.search?.stop();
-        this.proving?.stop();
+        // A plan that has been displaced must not stop the one that has taken its place.
+        if (this.search?.id === message.id) this.search[message.type]();
+        if (message.type === 'stop') this.proving?.stop();
         return;
       case 'prove':
         void this.inResearch(message.id, (research) => void this.reply(message.id, () => this.prove(message, research)));
