@@ -3,20 +3,25 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { describe, it } from 'node:test';
+import { setTimeout as wait } from 'node:timers/promises';
 import { Worker } from 'node:worker_threads';
+import { MultiSearch } from '../../dist/sdk/multi-search.js';
 import { Planner } from '../../dist/sdk/planner.js';
-import { bytes, KEYBOARD } from './support.mjs';
+import { bytes, circle, dxf, KEYBOARD } from './support.mjs';
 
 const SDK = new URL('../../dist/sdk/', import.meta.url);
 const module = new WebAssembly.Module(await readFile(new URL('pkg/kerfway_bg.wasm', SDK)));
 
-/** A planner that has read a drawing, and its workers, which the test can end. */
-async function plannerWithWorkers(t) {
+/** A planner that has read a drawing, and its workers, which the test can end. `change` may change what the others than the first send. */
+async function plannerWithWorkers(t, change = () => {}) {
   const workers = [];
   const start = (onMessage, onDeath) => {
     const worker = new Worker(new URL('node-worker.js', SDK));
-    workers.push(worker);
-    worker.on('message', onMessage);
+    const isFirst = workers.push(worker) === 1;
+    worker.on('message', (message) => {
+      if (!isFirst) change(message);
+      onMessage(message);
+    });
     worker.on('exit', () => onDeath('The planner ended unexpectedly.'));
     return { post: (m) => worker.postMessage(m), close: () => void worker.terminate() };
   };
@@ -116,5 +121,144 @@ describe('several workers', () => {
     const { planner } = await plannerWithWorkers(t);
     await assert.rejects(planner.plan({ workers: 0, moves: 1 }).done, /The option "workers" is 0\. Give a whole number from 1 to 64/);
     await assert.rejects(planner.plan({ workers: 65, moves: 1 }).done, /from 1 to 64/);
+  });
+});
+
+/** 400 circles in random places, for which two searches rarely find the same path. */
+const SCATTERED = (() => {
+  let state = 12345;
+  const random = () => (state = (state * 1103515245 + 12345) % 2 ** 31) / 2 ** 31;
+  const places = [];
+  while (places.length < 400) {
+    const [x, y] = [20 + 900 * random(), 20 + 900 * random()];
+    if (places.every((p) => Math.hypot(p[0] - x, p[1] - y) > 5)) places.push([x, y]);
+  }
+  return dxf(...places.map(([x, y]) => circle(x, y, 2)));
+})();
+
+/** The result of a promise that must not take longer than some seconds. */
+const soon = (promise, what) => Promise.race([promise, wait(20_000, null, { ref: false }).then(() => assert.fail(`${what} is still pending`))]);
+
+const seconds = (progress) => progress.summary.total_time;
+
+describe('a plan of several workers that is displaced', () => {
+  /** A plan of two workers that has searched for a while, and the least total time that it has reported. */
+  async function underWay(planner, seed) {
+    const reported = [];
+    let far;
+    const isFar = new Promise((resolve) => (far = resolve));
+    const plan = planner.plan({ seconds: 600, workers: 2, seed }, (p) => {
+      reported.push(seconds(p));
+      if (p.moves > 300_000) far();
+    });
+    await isFar;
+    return { plan, least: () => Math.min(...reported) };
+  }
+
+  /** It ends with the best path that it has reported. */
+  async function endsWithItsBest({ plan, least }) {
+    const { reason, progress } = await soon(plan.done, 'the displaced plan');
+    assert.deepEqual([reason, seconds(progress)], ['stopped', least()]);
+    assert.equal(progress.path.contours.length, 400);
+  }
+
+  it('ends when another drawing is loaded, or the same one again', async (t) => {
+    // The other search is always better, so that the first would have to take over its path.
+    const { planner, workers } = await plannerWithWorkers(t, ({ progress }) => progress && (progress.summary.total_time /= 2));
+    for (const seed of [1, 2]) {
+      await planner.load(SCATTERED, 'scattered.dxf');
+      const displaced = await underWay(planner, seed);
+      if (seed === 1) await planner.load(bytes(KEYBOARD), 'keyboard.dxf');
+      else await planner.reload({});
+      await endsWithItsBest(displaced);
+    }
+    assert.equal(workers.length, 2);
+  });
+
+  it('does not change the plan of one worker that follows', async (t) => {
+    const { planner } = await plannerWithWorkers(t);
+    await planner.load(SCATTERED, 'scattered.dxf');
+    const options = { moves: 200_000, seed: 7 };
+    await planner.plan(options).done;
+    const reference = await planner.output('json');
+    for (const seed of [1, 2]) {
+      const displaced = await underWay(planner, seed);
+      const next = planner.plan(options);
+      await endsWithItsBest(displaced);
+      await soon(next.done, 'the next plan');
+      assert.ok((await planner.output('json')) === reference, 'the same seed and moves gave two plans');
+    }
+  });
+
+  it('by one that continues it ends, and both workers continue', async (t) => {
+    const { planner } = await plannerWithWorkers(t);
+    await planner.load(SCATTERED, 'scattered.dxf');
+    const displaced = await underWay(planner, 1);
+    const next = planner.continue({ moves: 300_000 });
+    await endsWithItsBest(displaced);
+    const { reason, progress } = await soon(next.done, 'the next plan');
+    assert.equal(reason, 'budget');
+    assert.ok(seconds(progress) <= displaced.least());
+    assert.ok(progress.moves >= 900_000, `${progress.moves} moves`);
+  });
+
+  it('before it has begun leaves the next one alone', async (t) => {
+    const { planner, workers } = await plannerWithWorkers(t);
+    const displaced = planner.plan({ seconds: 600, workers: 2, seed: 1 });
+    const { reason, progress } = await planner.plan({ moves: 5_000, seed: 1 }).done;
+    assert.equal((await soon(displaced.done, 'the displaced plan')).reason, 'stopped');
+    assert.deepEqual([reason, progress.moves, workers.length], ['budget', 5_000, 1]);
+  });
+});
+
+describe('a plan of one worker after one of several', () => {
+  it('is continued without the searches of the older plan', async (t) => {
+    const { planner } = await plannerWithWorkers(t);
+    await planner.load(SCATTERED, 'scattered.dxf');
+    await planner.plan({ moves: 5_000, workers: 2, seed: 1 }).done;
+    await planner.load(bytes(KEYBOARD), 'keyboard.dxf');
+    const before = await planner.plan({ moves: 5_000, seed: 1 }).done;
+    const reported = [];
+    const { reason, progress } = await soon(planner.continue({ moves: 5_000 }, (p) => reported.push(p)).done, 'the continued plan');
+    assert.deepEqual([reason, progress.moves, progress.path.contours.length], ['budget', 10_000, before.progress.path.contours.length]);
+    for (const p of [...reported, progress]) assert.ok(seconds(p) <= seconds(before.progress) && seconds(p) > 100, `${seconds(p)} s`);
+    assert.equal(JSON.parse(await planner.output('json')).summary.total_time, seconds(progress));
+  });
+});
+
+describe('the searches of one plan', () => {
+  /** Two searches, whose messages the test makes. One that is expected to answer counts as dead after a second. */
+  function searches(t) {
+    const [others, reports, toFirst] = [[], [], []];
+    const start = (onMessage) => {
+      others.push({ onMessage, posts: [] });
+      return { post: (message) => others.at(-1).posts.push(message), close: () => (others.closed = true) };
+    };
+    const search = new MultiSearch({ module, start, silenceLimits: { searching: 0, working: 0 }, toFirst: (m) => toFirst.push(m), report: (m) => reports.push(m) });
+    t.after(() => search.close());
+    search.begin(1, { workers: 2, seconds: 60 }, { bytes: new ArrayBuffer(0), name: 'a.dxf', options: {} });
+    return { search, other: others[0], others, reports, toFirst };
+  }
+  const progress = (total_time, path) => ({ moves: 10, seconds: 1, rate: 5, summary: { total_time, lower_bound: 0, gap: null }, path });
+
+  it('report the best path of all when another plan takes their place', (t) => {
+    const { search, other, reports } = searches(t);
+    search.receive(0, { type: 'progress', id: 1, progress: progress(100, 'path of the first') });
+    other.onMessage({ type: 'progress', id: 1, progress: progress(90, 'path of the other') });
+    search.end();
+    const { type, id, reason, progress: last } = reports.at(-1);
+    assert.deepEqual([type, id, reason, last.path, seconds(last), last.moves], ['done', 1, 'stopped', 'path of the other', 90, 20]);
+    // What still arrives of them concerns nobody.
+    other.onMessage({ type: 'done', id: 1, reason: 'stopped', progress: progress(80, 'late') });
+    assert.equal(reports.length, 3);
+  });
+
+  it('that have ended count as idle, however often they are told to stop', async (t) => {
+    const { search, other, others } = searches(t);
+    other.onMessage({ type: 'done', id: 1, reason: 'exhausted', progress: progress(90, 'path') });
+    search.post({ type: 'stop', id: 1 });
+    search.end();
+    await wait(1_500);
+    assert.equal(others.closed, undefined, 'a healthy worker was ended because it was silent');
   });
 });

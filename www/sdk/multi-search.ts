@@ -8,7 +8,7 @@
 
 import { bounded } from './bound.js';
 import type { PlanMessage } from './plan-handle.js';
-import type { Budget, FromWorker, LoadOptions, PlanOptions, Progress, ToWorker } from './protocol.js';
+import type { Budget, DoneReason, FromWorker, LoadOptions, PlanOptions, Progress, ToWorker } from './protocol.js';
 import type { WasmModule } from './wasm-module.js';
 import { type SILENCE_LIMITS, type StartWorker, WorkerConnection } from './worker-connection.js';
 
@@ -55,9 +55,12 @@ export class MultiSearch {
     }
   }
 
-  /** Continues the finished plan for another budget. */
-  continue(id: number, budget: Budget): void {
-    if (this.plan === null) return;
+  /** Continues the plan `before` for another budget, as plan `id`. The searches of any other plan end. */
+  continue(before: number | undefined, id: number, budget: Budget): void {
+    const plan = this.plan;
+    if (plan === null || plan.id !== before) return this.end();
+    // It may still be running.
+    if (plan.best !== null) this.finish(plan, plan.total(plan.best));
     this.plan = new SharedPlan(id, budget, this.others.length + 1);
     this.post({ type: 'continue', id, budget });
   }
@@ -69,20 +72,24 @@ export class MultiSearch {
 
   /** Sends a message, such as pause, resume or stop, to all workers but the first. */
   post(message: ToWorker): void {
-    for (const { connection } of this.others) {
+    this.others.forEach(({ connection }, k) => {
       connection.post(message);
-      connection.expect(message.type === 'pause' ? 'idle' : 'working');
-    }
+      // A search that has ended does not answer.
+      const answers = message.type !== 'pause' && this.plan?.ended.has(k + 1) === false;
+      connection.expect(answers ? 'working' : 'idle');
+    });
   }
 
-  /** Stops the other searches because another plan begins or the first worker is gone. A result of the first is reported. */
-  end(): void {
+  /**
+   * Stops the other searches because another plan or drawing takes the place of theirs, or the first worker is gone, and reports the best path of all.
+   * If there is none yet, the last message of the first worker ends the plan.
+   */
+  end(reason: DoneReason = 'stopped'): void {
     const plan = this.plan;
     if (plan === null) return;
-    this.post({ type: 'stop', id: plan.id });
-    const first = plan.ended.get(FIRST);
-    if (first !== undefined) this.finish(plan, first);
     this.plan = null;
+    this.post({ type: 'stop', id: plan.id });
+    if (plan.best !== null) this.finish(plan, plan.total(plan.best), reason);
   }
 
   close(): void {
@@ -115,10 +122,9 @@ export class MultiSearch {
         this.searchEnded(plan, member, message);
         return;
       case 'failed':
-        if (member === FIRST) {
-          this.end();
-          this.owner.report(message);
-        } else this.workerDied(member);
+        if (member !== FIRST) return this.workerDied(member);
+        if (!plan.ended.has(FIRST)) this.owner.report(message);
+        this.end();
         return;
     }
   }
@@ -141,7 +147,7 @@ export class MultiSearch {
   private searchEnded(plan: SharedPlan, member: number, message: Done): void {
     plan.waiting.delete(member);
     this.others[member - 1]?.connection.expect('idle');
-    if (member === FIRST && plan.ended.has(FIRST)) return this.finish(plan, message);
+    if (member === FIRST && plan.ended.has(FIRST)) return this.takenOver(plan, message);
     plan.ended.set(member, { ...message, progress: { ...message.progress } });
     plan.merged(member, message.progress);
     // A budget in moves applies to each search. Any other budget ends for all when it ends for the first.
@@ -156,15 +162,19 @@ export class MultiSearch {
     const first = plan.ended.get(FIRST);
     if (first === undefined || plan.ended.size < plan.members.size) return;
     const best = bestOf([...plan.ended].map(([member, done]) => [member, done.progress]));
-    if (best === null || best.member === FIRST) this.finish(plan, first);
+    if (best === null || best.member === FIRST) this.takenOver(plan, first);
     else this.owner.toFirst({ type: 'meet', id: plan.id, path: best.progress.path });
   }
 
-  private finish(plan: SharedPlan, { progress }: Done): void {
+  // The first worker has the best path.
+  private takenOver(plan: SharedPlan, { progress }: Done): void {
+    this.finish(plan, plan.merged(FIRST, progress, true));
+  }
+
+  private finish(plan: SharedPlan, progress: Progress, reason: DoneReason = 'stopped'): void {
     if (plan.reported) return;
     plan.reported = true;
-    const reason = plan.ended.get(FIRST)?.reason ?? 'stopped';
-    this.owner.report({ type: 'done', id: plan.id, reason, progress: plan.merged(FIRST, progress, true) });
+    this.owner.report({ type: 'done', id: plan.id, reason: plan.ended.get(FIRST)?.reason ?? reason, progress });
   }
 
   // When every search that still runs has come to the meeting, all continue from the best path.
@@ -209,7 +219,8 @@ class SharedPlan {
   /** Lower bound of the job in seconds, as the first worker has proven it. */
   bound = 0;
   private readonly last = new Map<number, Progress>();
-  private best: Progress | null = null;
+  /** The progress with the best path so far. */
+  best: Progress | null = null;
 
   constructor(
     readonly id: number,
@@ -231,11 +242,15 @@ class SharedPlan {
     this.last.set(member, { ...progress, path: null });
     const better = this.best === null || time(progress) < time(this.best);
     if (progress.path !== null && (better || withPath)) this.best = progress;
-    const path = progress.path !== null && (better || withPath) ? progress.path : null;
+    return this.total(better || withPath ? progress : { ...progress, path: null });
+  }
+
+  /** The progress of all workers, with the path of this one. */
+  total(progress: Progress): Progress {
     const sum = (number: (p: Progress) => number) => [...this.last.values()].reduce((total, p) => total + number(p), 0);
     const summary = bounded((this.best ?? progress).summary, this.bound);
     const seconds = this.last.get(FIRST)?.seconds ?? progress.seconds;
-    return { moves: sum((p) => p.moves), seconds, rate: sum((p) => p.rate), summary, path };
+    return { moves: sum((p) => p.moves), seconds, rate: sum((p) => p.rate), summary, path: progress.path };
   }
 }
 

@@ -111,6 +111,7 @@ export class Planner {
       const drawing = { bytes: ownCopy(bytes), name, options };
       await this.ready;
       const { loaded } = await this.ask<'load'>((id) => ({ type: 'load', id, ...drawing }));
+      this.others.end();
       this.drawing = drawing;
       this.forget();
       return loaded;
@@ -122,7 +123,8 @@ export class Planner {
     return quietAtClose(async () => {
       checkOptions(options, 'reload');
       await this.ready;
-      const { loaded } = await this.ask<'load'>((id) => ({ type: 'reload', id, options }));
+      // The running plan ends even if the options turn out to be unusable.
+      const { loaded } = await this.ask<'load'>((id) => ({ type: 'reload', id, options })).finally(() => this.others.end());
       if (this.drawing !== null) this.drawing = { ...this.drawing, options };
       this.forget();
       return loaded;
@@ -146,6 +148,7 @@ export class Planner {
     const plan = this.newPlan(options, onProgress);
     return this.begin(plan, { type: 'plan', id: plan.id, options }, () => {
       checkOptions(options, 'planning');
+      this.others.end();
       this.endProof();
     });
   }
@@ -193,7 +196,7 @@ export class Planner {
     return this.begin(plan, { type: 'continue', id: plan.id, budget }, () => {
       checkOptions(budget, 'continue');
       if (this.current !== null) plan.follow(this.current);
-      this.others.continue(plan.id, budget);
+      this.others.continue(this.current?.id, plan.id, budget);
     });
   }
 
@@ -347,10 +350,12 @@ export class Planner {
     const plan = this.plans.get(message.id);
     if (plan !== undefined) {
       const { workers = 1 } = plan.options;
-      if (message.type === 'started' && workers > 1 && this.drawing !== null) {
+      if (message.type === 'started' && workers > 1 && this.drawing !== null && plan === this.current) {
         this.others.begin(plan.id, { ...plan.options, seed: message.seed }, this.drawing);
       }
       if (this.others.runs(plan.id)) this.others.receive(0, message);
+      // Its other searches have ended, so there is nobody to wait for.
+      else if (message.type === 'meeting') this.connection.post({ type: 'meet', id: plan.id, path: null });
       else this.report(message as PlanMessage);
     } else {
       this.requests.settle(message);
@@ -413,7 +418,7 @@ export class Planner {
   }
 
   private abandon(reason: Error): void {
-    this.others.end();
+    this.others.end('replaced');
     this.requests.rejectAll(reason);
     for (const plan of this.plans.values()) plan.interrupt(reason);
     this.plans.clear();

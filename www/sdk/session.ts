@@ -116,7 +116,7 @@ export class Session {
         this.search.extend(message.id, message.budget);
         return;
       case 'meet':
-        this.search?.meet(message.path);
+        if (this.search?.id === message.id) this.search.meet(message.path);
         return;
       case 'pause':
       case 'resume':
