@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { after, before, beforeEach, describe, it } from 'node:test';
+import { setTimeout as wait } from 'node:timers/promises';
 import { createPlanner, PROVEN, verifyQuote } from 'kerfway';
 import { bytes, circle, dxf, KEYBOARD, square } from './support.mjs';
 
@@ -199,6 +200,49 @@ describe('a plan that another one has displaced', () => {
       const { reason, progress } = await newer.done;
       assert.deepEqual([reason, progress.moves], ['budget', 100_000], order);
     }
+  });
+});
+
+describe('a plan is continued', () => {
+  /** The result of a promise that must not take longer than some seconds. */
+  const soon = (promise) => Promise.race([promise, wait(10_000, null, { ref: false }).then(() => assert.fail('it is still pending'))]);
+  beforeEach(() => planner.load(bytes(KEYBOARD), 'keyboard.dxf'));
+
+  it('that was begun before its drawing had been read', async () => {
+    const ways = [() => planner.load(PLATE, 'plate.dxf', PLATE_OPTIONS), () => planner.reload(PLATE_OPTIONS)];
+    for (const [k, read] of ways.entries()) {
+      const reading = read();
+      const plan = planner.plan({ moves: 1000, seed: 5, allowOffBed: true });
+      await reading;
+      assert.equal((await plan.done).progress.path.contours.length, 3);
+      const { seed, reason, progress } = await soon(planner.continue({ moves: 500 }).done);
+      assert.deepEqual([seed, reason, progress.path.contours.length], [5, 'budget', 3], `way ${k}`);
+      assert.equal(await planner.offer(progress.path), null);
+    }
+  });
+
+  it('although it has not begun yet', async () => {
+    const plan = planner.plan({ moves: 1_000_000, seed: 6 });
+    const more = planner.continue({ moves: 1000 });
+    assert.equal((await soon(plan.done)).reason, 'stopped');
+    const { seed, reason, progress, baselines } = await soon(more.done);
+    assert.deepEqual([seed, reason, progress.path.contours.length], [6, 'budget', 60]);
+    assert.ok(progress.summary.total_time <= baselines.drawing.total_time);
+    assert.equal((await more.started).seed, 6);
+  });
+
+  it('unless it failed', async () => {
+    const plan = planner.plan({ method: 'no-such-method', moves: 1 });
+    const more = planner.continue({ moves: 1000 });
+    await assert.rejects(plan.done, /no-such-method/);
+    await assert.rejects(soon(more.done), { code: 'no-plan' });
+  });
+
+  it('unless another drawing has been read', async () => {
+    await planner.plan({ moves: 10 }).done;
+    await planner.load(PLATE, 'plate.dxf');
+    await assert.rejects(soon(planner.continue({ moves: 10 }).done), { code: 'no-plan' });
+    await assert.rejects(planner.offer({}), { code: 'no-plan' });
   });
 });
 

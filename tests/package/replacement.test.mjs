@@ -67,6 +67,37 @@ describe('a worker that dies', () => {
     assert.equal(gone.seed, 4);
   });
 
+  it('while it plans: the plan can be continued at once, also by one worker of two', { timeout: 60_000 }, async (t) => {
+    for (const workers of [1, 2]) {
+      const control = await fragile(t);
+      await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');
+      const plan = await underWay(control.planner, { workers });
+      await control.workers[0].terminate();
+      const { reason, progress } = await plan.done;
+      // More moves than until the first exchange between two searches.
+      const next = await control.planner.continue({ moves: 1_100_000 }).done;
+      assert.deepEqual([reason, next.reason, next.seed, next.progress.moves], ['replaced', 'budget', 4, 1_100_000]);
+      assert.ok(next.progress.summary.total_time <= progress.summary.total_time + 1e-9);
+    }
+  });
+
+  it('while it plans: a plan that begins at once is the one that is continued and proven', { timeout: 60_000 }, async (t) => {
+    const control = await fragile(t);
+    await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');
+    const plan = await underWay(control.planner);
+    await control.workers[0].terminate();
+    await plan.done;
+    const slow = structuredClone(control.planner.machines[0]);
+    slow.cut.speed /= 10;
+    const next = await control.planner.plan({ moves: 1000, seed: 9, machine: slow }).done;
+    const { seed, progress } = await control.planner.continue({ moves: 1000 }).done;
+    assert.deepEqual([seed, progress.moves], [9, 2000]);
+    assert.ok(progress.summary.total_time <= next.progress.summary.total_time);
+    const { seconds } = await control.planner.prove({ work: 2 }).done;
+    // Cutting alone takes ten times as long as on the machine of the plan before.
+    assert.ok(seconds > 0.9 * progress.summary.total_time && seconds <= progress.summary.total_time, `${seconds} s of ${progress.summary.total_time} s`);
+  });
+
   it('while it reads: that file is refused, and the drawing before is restored', async (t) => {
     const control = await fragile(t);
     const before = await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');

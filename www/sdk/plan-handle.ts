@@ -75,10 +75,10 @@ export class RunningPlan {
     };
   }
 
-  /** Continues from where another plan ended. */
+  /** Continues from where another plan ended, or is being ended: this one begins as that did. If that never begins, the worker refuses this one. */
   follow(before: RunningPlan): void {
-    this.path = before.path;
-    if (before.begun !== null) this.begin(before.begun);
+    [this.path, this.last] = [before.path, before.last];
+    before.started.promise.then((started) => this.begin(started), () => {});
   }
 
   receive(message: PlanMessage): void {
@@ -152,8 +152,8 @@ export class RunningPlan {
 
   private end(reason: DoneReason): void {
     this.ended = true;
-    if (this.begun === null || this.last === null) return;
-    this.done.resolve({ ...this.begun, reason, progress: { ...this.last, path: this.path } });
+    if (this.begun === null || this.last === null) this.fail(new KerfwayError('planner-died', 'The plan ended before it had a path.'));
+    else this.done.resolve({ ...this.begun, reason, progress: { ...this.last, path: this.path } });
   }
 
   private request(type: 'pause' | 'resume' | 'stop'): void {

@@ -109,12 +109,7 @@ export class Planner {
       checkSize(bytes.byteLength);
       checkOptions(options, 'load');
       const drawing = { bytes: ownCopy(bytes), name, options };
-      await this.ready;
-      const { loaded } = await this.ask<'load'>((id) => ({ type: 'load', id, ...drawing }));
-      this.others.end();
-      this.drawing = drawing;
-      this.forget();
-      return loaded;
+      return this.read((id) => ({ type: 'load', id, ...drawing }), () => drawing);
     });
   }
 
@@ -122,12 +117,12 @@ export class Planner {
   reload(options: LoadOptions): Promise<Loaded> {
     return quietAtClose(async () => {
       checkOptions(options, 'reload');
-      await this.ready;
-      // The running plan ends even if the options turn out to be unusable.
-      const { loaded } = await this.ask<'load'>((id) => ({ type: 'reload', id, options })).finally(() => this.others.end());
-      if (this.drawing !== null) this.drawing = { ...this.drawing, options };
-      this.forget();
-      return loaded;
+      try {
+        return await this.read((id) => ({ type: 'reload', id, options }), (drawing) => drawing && { ...drawing, options });
+      } finally {
+        // The running plan has ended even if the options are unusable.
+        this.others.end();
+      }
     });
   }
 
@@ -269,10 +264,16 @@ export class Planner {
     this.abandon(reason);
   }
 
-  /** Another drawing has taken the place of the one that was planned. */
-  private forget(): void {
-    this.current = null;
+  /** Asks the worker to read a drawing, which takes the place of the one before and of its plan. A plan that was begun meanwhile is of the new one. */
+  private async read(message: (id: number) => ToWorker, drawing: (before: Drawing | null) => Drawing | null): Promise<Loaded> {
+    const plan = this.current;
+    await this.ready;
+    const { loaded } = await this.ask<'load'>(message);
+    this.drawing = drawing(this.drawing);
+    this.others.end();
     this.endProof();
+    if (this.current === plan) this.current = null;
+    return loaded;
   }
 
   private endProof(): void {
@@ -387,7 +388,7 @@ export class Planner {
     const message = `${why} It was started again${kept === null ? '.' : ' and the drawing loaded again.'}`;
     this.abandon(new KerfwayError('planner-died', message));
     const plan = kept === null ? null : this.current;
-    [this.drawing, this.current] = [null, null];
+    [this.drawing, this.current] = [null, plan];
     this.ready = this.connect().then(() => (kept === null ? undefined : this.restore(kept, plan)));
     // If the worker could not be started, later calls reject with the reason.
     const started = await this.ready.then(() => true, () => false);
@@ -411,7 +412,6 @@ export class Planner {
       const { seed, method } = plan.begun;
       const options = { ...plan.options, seed, method, warm: plan.path, seconds: undefined, moves: 0 };
       await this.ask<'restore'>((id) => ({ type: 'plan', id, options }));
-      this.current = plan;
     } finally {
       this.restoring = false;
     }
