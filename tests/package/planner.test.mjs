@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { after, before, beforeEach, describe, it } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
 import { createPlanner, PROVEN, verifyQuote } from 'kerfway';
+import { asJson } from '../../dist/sdk/plain-data.js';
 import { bytes, circle, dxf, KEYBOARD, square } from './support.mjs';
 
 let planner;
@@ -243,6 +244,68 @@ describe('a plan is continued', () => {
     await planner.load(PLATE, 'plate.dxf');
     await assert.rejects(soon(planner.continue({ moves: 10 }).done), { code: 'no-plan' });
     await assert.rejects(planner.offer({}), { code: 'no-plan' });
+  });
+});
+
+describe('options of a call', () => {
+  /** What `reactive()` of Vue makes: a proxy of the object and of all objects in it, which no message can carry. */
+  const reactive = (object) =>
+    new Proxy(object, {
+      get: (target, name) => {
+        const value = Reflect.get(target, name);
+        return typeof value === 'object' && value !== null ? reactive(value) : value;
+      },
+    });
+  const machine = () => ({ ...structuredClone(planner.machines[0]), name: 'my-laser' });
+
+  it('may be changed by the caller afterwards', async () => {
+    const reading = { units: 'mm' };
+    const loading = planner.load(PLATE, 'plate.dxf', reading);
+    reading.units = 'in';
+    assert.equal((await loading).bounds[2], 155);
+    const planning = { machine: machine(), seed: 3, moves: 10 };
+    const plan = planner.plan(planning);
+    planning.seed = 4;
+    planning.machine.name = 'another';
+    const terms = { material: { name: 'mild steel' } };
+    const quoting = plan.done.then(() => planner.quote(terms));
+    assert.equal((await plan.done).seed, 3);
+    terms.material.name = 'glass';
+    const { material } = await quoting;
+    assert.equal(material.name, 'mild steel');
+    assert.equal(JSON.parse(await planner.output('json')).machine.name, 'my-laser');
+    const budget = { moves: 20 };
+    const more = planner.continue(budget);
+    budget.moves = 1;
+    assert.equal((await more.done).progress.moves, 30);
+  });
+
+  it('may be behind proxies', async () => {
+    const texts = [];
+    for (const given of [(o) => o, reactive]) {
+      await planner.load(PLATE, 'plate.dxf', given(PLATE_OPTIONS));
+      const { progress } = await planner.plan(given({ machine: machine(), seed: 3, moves: 1000 })).done;
+      await planner.plan(given({ machine: machine(), seed: 3, moves: 1000, warm: JSON.parse(JSON.stringify(asJson(progress.path))) })).done;
+      await planner.continue(given({ moves: 1000 })).done;
+      await planner.reload(given(PLATE_OPTIONS));
+      await planner.plan(given({ machine: machine(), seed: 3, moves: 1000, warm: progress.path })).done;
+      texts.push(await planner.output('json'));
+      assert.equal((await planner.check(null, given({ machine: machine() }))).passed, true);
+    }
+    assert.equal(texts[0], texts[1]);
+  });
+
+  it('that cannot be sent reject their call alone', async () => {
+    await planner.load(PLATE, 'plate.dxf');
+    const plan = planner.plan({ ...LONG, moves: 1e9 });
+    await plan.started;
+    await assert.rejects(planner.calibrate(machine(), [{ plan: 'x', seconds: () => 1 }]), { name: 'KerfwayError', code: 'wrong-type', message: /^What was given cannot be sent/ });
+    plan.stop();
+    assert.equal((await plan.done).reason, 'stopped');
+    const { path } = (await plan.done).progress;
+    await assert.rejects(planner.offer({ ...path, f() {} }), { name: 'KerfwayError', code: 'wrong-type' });
+    assert.equal(await planner.offer(path), null);
+    assert.equal(planner.replaced, null);
   });
 });
 

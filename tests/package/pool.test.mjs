@@ -55,6 +55,19 @@ describe('calls of a pool', () => {
     assert.equal(pool.waiting, 0);
   });
 
+  it('keep the options that they were given, although the caller changes them while they wait', async (t) => {
+    const pool = pooled(t, { size: 1 });
+    const reading = { units: 'mm', name: 'a.dxf' };
+    const planning = { ...SHORT };
+    const quoting = { units: 'mm', moves: 10, seed: 1, material: { name: 'birch' } };
+    const calls = [pool.inspect(PLATE, reading), pool.plan(PLATE, planning), pool.quote(PLATE, quoting)];
+    [reading.units, reading.name, planning.seed, planning.outputs, quoting.material.name] = ['in', 'b.dxf', 2, [], 'glass'];
+    const [inspected, planned, quoted] = await Promise.all(calls);
+    assert.deepEqual([inspected.units.unit, inspected.name], ['mm', 'a.dxf']);
+    assert.deepEqual([planned.seed, Object.keys(planned.outputs), planned.options.seed], [1, ['json'], 1]);
+    assert.equal(quoted.material.name, 'birch');
+  });
+
   it('read no more files at once than the pool has workers', async (t) => {
     const pool = pooled(t, { size: 2 });
     let [open, most] = [0, 0];

@@ -109,13 +109,13 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
   return {
     inspect(source, options = {}) {
       return quietAtClose(async () => {
-        checkOptions(options, 'inspect');
-        return withPlanner((planner) => loadedBy(planner, source, options), options.signal);
+        const own = checkOptions(options, 'inspect');
+        return withPlanner((planner) => loadedBy(planner, source, own), own.signal);
       });
     },
 
     plan<K extends OutputKind = never>(source: Source, given: PlanJobOptions<K> = {}) {
-      const options = withWarmPath(given);
+      let options = withWarmPath(given);
       let stop: (() => void) | null = null;
       let stopped = false;
       const stopSearch = () => {
@@ -144,7 +144,7 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
       };
       const run = async () => {
         try {
-          checkOptions(options, 'plan');
+          options = checkOptions(options, 'plan');
           const planned = await withPlanner(work, options.signal, options.seconds);
           stream.end();
           return planned;
@@ -158,7 +158,7 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
     },
 
     quote(source, given = {}) {
-      const options = withWarmPath(given);
+      let options = withWarmPath(given);
       const work = async (planner: Planner) => {
         const loaded = await loadedBy(planner, source, options);
         const { material, ...rest } = options;
@@ -167,12 +167,13 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
         return planner.quote(terms(options));
       };
       return quietAtClose(async () => {
-        checkOptions(options, 'quote');
+        options = checkOptions(options, 'quote');
         return withPlanner(work, options.signal, options.seconds);
       });
     },
 
-    verifyQuote(source, report, options = {}) {
+    verifyQuote(source, report, given = {}) {
+      let options = given;
       const work = async (planner: Planner): Promise<Verification> => {
         const made = optionsOf(report);
         const loaded = await loadedBy(planner, source, { ...made.reading, ...options, name: String(made.quote.input.name) });
@@ -181,33 +182,33 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
         return compared(made.quote, await planner.quote(termsOf(made.quote)));
       };
       return quietAtClose(async () => {
-        checkOptions(options, 'verifyQuote');
+        options = checkOptions(given, 'verifyQuote');
         return withPlanner(work, options.signal);
       });
     },
 
     check(program, options = {}) {
       return quietAtClose(async () => {
-        const { signal, ...on } = options;
-        checkOptions(options, 'check');
+        const { signal, ...on } = checkOptions(options, 'check');
         const text = typeof program === 'string' ? program : new TextDecoder().decode((await readBytes(program)).bytes);
         return withPlanner((planner) => planner.check(text, on), signal);
       });
     },
 
     render(source, planned, kind, given = {}) {
+      let own = given;
       const work = async (planner: Planner) => {
         const { options, loaded, seed, method, path } = planned;
-        const again = await loadedBy(planner, source, { ...reading(options), signal: given.signal, name: loaded.name });
+        const again = await loadedBy(planner, source, { ...reading(options), signal: own.signal, name: loaded.name });
         if (again.sha256 !== loaded.sha256) throw new KerfwayError('other-drawing', 'This is not the drawing that was planned: its bytes differ.');
         const { workers: _, seconds: __, ...rest } = planning(options);
         await planner.plan({ ...rest, seed, method, warm: path, moves: 0 }).done;
-        return planner.output(kind, given.width) as Promise<Outputs<typeof kind>[typeof kind]>;
+        return planner.output(kind, own.width) as Promise<Outputs<typeof kind>[typeof kind]>;
       };
       return quietAtClose(async () => {
-        checkOptions(given, 'render');
+        own = checkOptions(given, 'render');
         if (!isPlanned(planned)) throw new KerfwayError('wrong-type', 'This is no finished plan: give the result of plan, or what JSON.parse makes of its JSON.', { field: 'planned' });
-        return withPlanner(work, given.signal);
+        return withPlanner(work, own.signal);
       });
     },
   };

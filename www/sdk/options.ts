@@ -7,6 +7,7 @@ import { viewed } from './bytes.js';
 import { check, checkOne, optional, type Field, type Range, type Shape } from './check.js';
 import { KerfwayError, notBytes } from './errors.js';
 import { SHAPES } from './fields.js';
+import { copied } from './plain-data.js';
 import type { QuoteTerms } from './quote.js';
 import type { CheckedOn, Loaded, LoadOptions, OutputKind, PlanOptions, Progress } from './protocol.js';
 
@@ -103,9 +104,10 @@ export function planning(options: PlanOptions): PlanOptions {
   return picked(options, PLANNING_OPTIONS);
 }
 
-/** Throws a `KerfwayError` unless the function knows these options, and each has the right type and is in range. */
-export function checkOptions(options: object, kind: keyof typeof KNOWN): void {
+/** A copy of the options. Throws a `KerfwayError` unless the function knows them, and each has the right type and is in range. */
+export function checkOptions<T extends object>(options: T, kind: keyof typeof KNOWN): T {
   check(KNOWN[kind], options);
+  return copied(options);
 }
 
 /** Throws a `KerfwayError` unless this is a machine profile or the name of a preset. */

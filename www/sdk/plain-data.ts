@@ -1,5 +1,5 @@
 /**
- * Finished plans as JSON. Typed arrays make no arrays in JSON: `JSON.stringify` writes `{"0":1,"1":2}`. A plan therefore
+ * Plain data: copies of options, and finished plans as JSON. Typed arrays make no arrays in JSON: `JSON.stringify` writes `{"0":1,"1":2}`. A plan therefore
  * says itself how it is written, and paths are accepted in either form.
  */
 
@@ -15,6 +15,17 @@ function plain(value: unknown): unknown {
   if (Array.isArray(value)) return value.map(plain);
   if (typeof value !== 'object' || value === null) return value;
   return Object.fromEntries(Object.entries(value).map(([name, inner]) => [name, plain(inner)]));
+}
+
+/**
+ * A copy of plain data, such as the options of a call, which its caller may change while the call waits. Of a proxy, which no message can
+ * carry, it copies what is behind it. Callbacks and signals stay as they are.
+ */
+export function copied<T>(value: T): T {
+  if (ArrayBuffer.isView(value)) return (value as unknown as Uint8Array).slice() as T;
+  if (Array.isArray(value)) return value.map(copied) as T;
+  if (typeof value !== 'object' || value === null || 'addEventListener' in value) return value;
+  return Object.fromEntries(Object.entries(value).map(([name, inner]) => [name, copied(inner)])) as T;
 }
 
 /** The options with a path whose arrays are lists, whatever JSON made of them. */

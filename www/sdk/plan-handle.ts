@@ -51,6 +51,7 @@ export class RunningPlan {
   paused = false;
   ended = false;
   begun: Started | null = null;
+  options: PlanOptions = {};
   /** The best path reported so far, from which a new worker starts. */
   path: BestPath | null = null;
 
@@ -60,7 +61,6 @@ export class RunningPlan {
 
   constructor(
     readonly id: number,
-    readonly options: PlanOptions,
     private readonly onProgress: (progress: Progress) => unknown,
     private readonly post: (message: ToWorker) => void,
   ) {

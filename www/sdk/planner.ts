@@ -14,7 +14,7 @@ import { Requests } from './requests.js';
 import type { Responses } from './responses.js';
 import { checkSize } from './size.js';
 import type { Configuration } from './places.js';
-import { withWarmPath } from './plain-data.js';
+import { copied, withWarmPath } from './plain-data.js';
 import { type SILENCE_LIMITS, type StartWorker, type WasmFiles, WorkerConnection } from './worker-connection.js';
 import { WorkerStart } from './worker-start.js';
 import type {
@@ -107,8 +107,7 @@ export class Planner {
     return quietAtClose(async () => {
       const bytes = checkFile(source, name);
       checkSize(bytes.byteLength);
-      checkOptions(options, 'load');
-      const drawing = { bytes: ownCopy(bytes), name, options };
+      const drawing = { bytes: ownCopy(bytes), name, options: checkOptions(options, 'load') };
       return this.read((id) => ({ type: 'load', id, ...drawing }), () => drawing);
     });
   }
@@ -116,9 +115,9 @@ export class Planner {
   /** Reads the same file with other options. A running plan ends. */
   reload(options: LoadOptions): Promise<Loaded> {
     return quietAtClose(async () => {
-      checkOptions(options, 'reload');
+      const own = { options: checkOptions(options, 'reload') };
       try {
-        return await this.read((id) => ({ type: 'reload', id, options }), (drawing) => drawing && { ...drawing, options });
+        return await this.read((id) => ({ type: 'reload', id, ...own }), (drawing) => drawing && { ...drawing, ...own });
       } finally {
         // The running plan has ended even if the options are unusable.
         this.others.end();
@@ -139,12 +138,11 @@ export class Planner {
    * with that error.
    */
   plan(given: PlanOptions = {}, onProgress: (progress: Progress) => unknown = () => {}): PlanHandle {
-    const options = withWarmPath(given);
-    const plan = this.newPlan(options, onProgress);
-    return this.begin(plan, { type: 'plan', id: plan.id, options }, () => {
-      checkOptions(options, 'planning');
+    return this.begin(onProgress, (plan) => {
+      plan.options = checkOptions(withWarmPath(given), 'planning');
       this.others.end();
       this.endProof();
+      return { type: 'plan', id: plan.id, options: plan.options };
     });
   }
 
@@ -156,12 +154,12 @@ export class Planner {
    * is proven and the best path that the proof has found, for `offer`.
    */
   prove(budget: ProofBudget = {}, onBound: (seconds: number, path: WarmPath | null) => unknown = () => {}): ProofHandle {
-    checkOptions(budget, 'prove');
+    const own = checkOptions(budget, 'prove');
     if (this.drawing === null || this.current === null) throw new KerfwayError('no-plan', 'There is no plan to prove a bound for. Start one first.');
     this.endProof();
     // The best path of the plan is known at another moment each time, so that a budget in work does without.
-    const planning = { ...this.current.options, warm: budget.work === undefined ? (this.current.path ?? undefined) : undefined };
-    this.prover = new Prover(this.parts, this.drawing, planning, budget, (lowerBound, path) => {
+    const planning = { ...this.current.options, warm: own.work === undefined ? (this.current.path ?? undefined) : undefined };
+    this.prover = new Prover(this.parts, this.drawing, planning, own, (lowerBound, path) => {
       this.whenReady({ type: 'raise', lowerBound });
       onBound(lowerBound, path);
     });
@@ -176,22 +174,24 @@ export class Planner {
     return quietAtClose(async () => {
       const plan = this.current;
       if (plan === null) throw new KerfwayError('no-plan', 'There is no plan to offer a path to. Start one first.');
+      const own = copied(path);
       await plan.handle.done;
       await this.ready;
       // Another plan may have begun meanwhile.
       if (this.current !== plan) return null;
-      const { progress } = await this.ask<'offer'>((id) => ({ type: 'offer', id, path }));
+      const { progress } = await this.ask<'offer'>((id) => ({ type: 'offer', id, path: own }));
       return progress && plan.improve(progress);
     });
   }
 
   /** Continues the last plan for another budget. */
   continue(budget: Budget, onProgress: (progress: Progress) => unknown = () => {}): PlanHandle {
-    const plan = this.newPlan({ ...this.current?.options, ...budget }, onProgress);
-    return this.begin(plan, { type: 'continue', id: plan.id, budget }, () => {
-      checkOptions(budget, 'continue');
+    return this.begin(onProgress, (plan) => {
+      const own = checkOptions(budget, 'continue');
+      plan.options = { ...this.current?.options, ...own };
+      this.others.continue(this.current?.id, plan.id, own);
       if (this.current !== null) plan.follow(this.current);
-      this.others.continue(this.current?.id, plan.id, budget);
+      return { type: 'continue', id: plan.id, budget: own };
     });
   }
 
@@ -215,27 +215,27 @@ export class Planner {
   check(program: string | null = null, options: CheckedOn = {}): Promise<ProgramCheck> {
     return quietAtClose(async () => {
       checkProgram(program);
-      checkOptions(options, 'checkedOn');
+      const own = checkOptions(options, 'checkedOn');
       await this.ready;
-      return (await this.ask<'check'>((id) => ({ type: 'check', id, program, options }))).check;
+      return (await this.ask<'check'>((id) => ({ type: 'check', id, program, options: own }))).check;
     });
   }
 
   /** A small program for a machine, a square with a hole, which shows what its dialect looks like. */
   sampleProgram(options: CheckedOn = {}): Promise<string> {
     return quietAtClose(async () => {
-      checkOptions(options, 'checkedOn');
+      const own = checkOptions(options, 'checkedOn');
       await this.ready;
-      return (await this.ask<'sample'>((id) => ({ type: 'sample', id, options }))).program;
+      return (await this.ask<'sample'>((id) => ({ type: 'sample', id, options: own }))).program;
     });
   }
 
   /** The quote report of the best plan so far, which is checked as for an output. */
   quote(terms: QuoteTerms = {}): Promise<Quote> {
     return quietAtClose(async () => {
-      checkOptions(terms, 'terms');
+      const own = checkOptions(terms, 'terms');
       await this.ready;
-      return (await this.ask<'quote'>((id) => ({ type: 'quote', id, terms }))).quote;
+      return (await this.ask<'quote'>((id) => ({ type: 'quote', id, terms: own }))).quote;
     });
   }
 
@@ -246,8 +246,9 @@ export class Planner {
   calibrate(machine: MachineProfile, measured: readonly MeasuredPlan[]): Promise<Calibration> {
     return quietAtClose(async () => {
       checkMachine(machine);
+      const own = copied({ machine, measured });
       await this.ready;
-      return (await this.ask<'calibrate'>((id) => ({ type: 'calibrate', id, machine, measured }))).calibration;
+      return (await this.ask<'calibrate'>((id) => ({ type: 'calibrate', id, ...own }))).calibration;
     });
   }
 
@@ -281,35 +282,33 @@ export class Planner {
     this.prover = null;
   }
 
-  private newPlan(options: PlanOptions, onProgress: (progress: Progress) => unknown): RunningPlan {
-    const id = ++this.lastId;
-    return new RunningPlan(id, options, onProgress, (message) => {
+  // If `prepare` refuses the plan, the plan fails and a running one goes on. Otherwise it returns the message that begins the plan.
+  private begin(onProgress: (progress: Progress) => unknown, prepare: (plan: RunningPlan) => ToWorker): PlanHandle {
+    const plan = new RunningPlan(++this.lastId, onProgress, (message) => {
       this.whenReady(message);
-      if (this.others.runs(id)) this.others.post(message);
+      if (this.others.runs(plan.id)) this.others.post(message);
     });
-  }
-
-  // If `prepare` refuses the plan, the plan fails and a running one goes on.
-  private begin(plan: RunningPlan, message: ToWorker, prepare: () => void): PlanHandle {
     try {
       if (this.closed) throw new ClosedError(CLOSED);
-      prepare();
+      this.whenReady(prepare(plan), (error) => {
+        this.plans.delete(plan.id);
+        plan.fail(error);
+      });
+      this.current = plan;
+      this.plans.set(plan.id, plan);
     } catch (error) {
       plan.fail(error);
-      return plan.handle;
     }
-    this.current = plan;
-    this.plans.set(plan.id, plan);
-    this.whenReady(message);
     return plan.handle;
   }
 
-  private whenReady(message: ToWorker): void {
+  // `failed` hears why a message cannot be sent. What concerns a plan that could not begin needs no sending.
+  private whenReady(message: ToWorker, failed: (error: unknown) => void = () => {}): void {
     const post = () => {
       this.connection.post(message);
       this.updateExpectation();
     };
-    this.ready.then(post).catch((error: Error) => this.abandon(error));
+    this.ready.then(post).catch(failed);
   }
 
   private ask<K extends keyof Responses>(message: (id: number) => ToWorker): Promise<Responses[K]> {

@@ -3,6 +3,7 @@
  * dies or stays silent for too long.
  */
 
+import { KerfwayError } from './errors.js';
 import { Pieces } from './pieces.js';
 import type { FromWorker, ToWorker } from './protocol.js';
 import type { WasmBytes, WasmModule } from './wasm-module.js';
@@ -57,7 +58,12 @@ export class WorkerConnection {
   }
 
   post(message: ToWorker): void {
-    if (this.open) this.worker.post(message);
+    if (!this.open) return;
+    try {
+      this.worker.post(message);
+    } catch (error) {
+      throw new KerfwayError('wrong-type', `What was given cannot be sent to the worker: give plain data. ${(error as Error).message}`);
+    }
   }
 
   close(): void {

@@ -128,16 +128,10 @@ export function connectFrame(iframe: HTMLIFrameElement, listener: FrameListener 
   iframe.addEventListener('load', greet);
   greet();
   return {
-    setOptions: (options) => {
-      checkOptions(options, 'readingAndPlanning');
-      send({ type: 'options', options });
-    },
+    setOptions: (options) => send({ type: 'options', options: checkOptions(options, 'readingAndPlanning') }),
     open: (bytes, name) => ask((id) => ({ type: 'open', id, bytes, name })),
     quote: (bytes, name) => ask((id) => ({ type: 'open', id, bytes, name })),
-    setMaterial: (material) => {
-      checkOptions({ material }, 'terms');
-      send({ type: 'material', material });
-    },
+    setMaterial: (material) => send({ type: 'material', ...checkOptions({ material }, 'terms') }),
     stop: () => send({ type: 'stop' }),
     render: (kind, { width } = {}) => ask((id) => ({ type: 'render', id, kind, width: width ?? null })),
     disconnect: () => {
