@@ -333,6 +333,24 @@ describe('a proof', () => {
     assert.equal(JSON.parse(done.certificate).schema, 'kerfway.certificate/1');
   });
 
+  it('fails with the error of its callback, and the plan goes on', async () => {
+    const plan = planner.plan({ ...LONG, moves: 1e9 });
+    await plan.started;
+    for (const throwing of [() => { throw new Error('my callback'); }, async () => { throw new Error('my callback'); }]) {
+      await assert.rejects(planner.prove({ seconds: 60 }, throwing).done, /^Error: my callback$/);
+    }
+    plan.stop();
+    assert.equal((await plan.done).reason, 'stopped');
+  });
+
+  it('is refused once the planner is closed', async () => {
+    const other = await createPlanner();
+    await other.load(PLATE, 'plate.dxf');
+    await other.plan({ moves: 10, seed: 1 }).done;
+    other.close();
+    assert.throws(() => other.prove({ seconds: 1 }), { name: 'KerfwayError', code: 'closed', message: 'The planner was closed.' });
+  });
+
   it('that is closed ends with its last bound, without a certificate', async () => {
     const { done, last } = await ended('close');
     assert.deepEqual({ ...done, path: null }, { seconds: last, certificate: null, path: null, hindrance: null });

@@ -128,16 +128,11 @@ export class RunningPlan {
 
   // A callback that throws (or rejects, when it is asynchronous) fails its own plan, and the search stops.
   private report(progress: Progress): void {
-    const fail = (error: unknown) => {
+    const report = async () => this.onProgress(progress);
+    report().catch((error: unknown) => {
       this.request('stop');
       if (!this.ended) this.fail(error);
-    };
-    try {
-      const reported = this.onProgress(progress);
-      if (reported instanceof Promise) reported.catch(fail);
-    } catch (error) {
-      fail(error);
-    }
+    });
   }
 
   private begin(started: Started): void {

@@ -154,6 +154,7 @@ export class Planner {
    * is proven and the best path that the proof has found, for `offer`.
    */
   prove(budget: ProofBudget = {}, onBound: (seconds: number, path: WarmPath | null) => unknown = () => {}): ProofHandle {
+    if (this.closed) throw new ClosedError(CLOSED);
     const own = checkOptions(budget, 'prove');
     if (this.drawing === null || this.current === null) throw new KerfwayError('no-plan', 'There is no plan to prove a bound for. Start one first.');
     this.endProof();
@@ -161,7 +162,7 @@ export class Planner {
     const planning = { ...this.current.options, warm: own.work === undefined ? (this.current.path ?? undefined) : undefined };
     this.prover = new Prover(this.parts, this.drawing, planning, own, (lowerBound, path) => {
       this.whenReady({ type: 'raise', lowerBound });
-      onBound(lowerBound, path);
+      return onBound(lowerBound, path);
     });
     return this.prover;
   }

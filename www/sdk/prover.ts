@@ -31,7 +31,7 @@ export class Prover implements ProofHandle {
     { bytes, name, options }: Drawing,
     planning: PlanOptions,
     budget: ProofBudget,
-    private readonly onBound: (seconds: number, path: WarmPath | null) => void,
+    private readonly onBound: (seconds: number, path: WarmPath | null) => unknown,
   ) {
     this.done = new Promise((resolve, reject) => (this.settle = { resolve, reject }));
     this.connection = new WorkerConnection(start, { module }, (m) => this.receive(m), (why) => this.end(why), silenceLimits);
@@ -61,7 +61,12 @@ export class Prover implements ProofHandle {
     if (message.type === 'bound') {
       this.proven = message.lowerBound;
       this.path = message.path ?? this.path;
-      this.onBound(this.proven, this.path);
+      const heard = async () => this.onBound(this.proven, this.path);
+      // A callback that throws (or rejects) fails its proof.
+      heard().catch((error: Error) => {
+        this.connection.close();
+        this.settle.reject(error);
+      });
     } else if (message.type === 'proof' || message.type === 'failed') {
       this.connection.close();
       if (message.type === 'failed') this.settle.reject(KerfwayError.of(message.error));
