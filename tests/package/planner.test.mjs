@@ -299,7 +299,7 @@ describe('options of a call', () => {
     await planner.load(PLATE, 'plate.dxf');
     const plan = planner.plan({ ...LONG, moves: 1e9 });
     await plan.started;
-    await assert.rejects(planner.calibrate(machine(), [{ plan: 'x', seconds: () => 1 }]), { name: 'KerfwayError', code: 'wrong-type', message: /^What was given cannot be sent/ });
+    await assert.rejects(planner.calibrate(machine(), [{ plan: 'x', seconds: () => 1 }]), { name: 'KerfwayError', code: 'wrong-type', message: /^This cannot be sent/ });
     plan.stop();
     assert.equal((await plan.done).reason, 'stopped');
     const { path } = (await plan.done).progress;

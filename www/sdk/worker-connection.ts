@@ -62,7 +62,7 @@ export class WorkerConnection {
     try {
       this.worker.post(message);
     } catch (error) {
-      throw new KerfwayError('wrong-type', `What was given cannot be sent to the worker: give plain data. ${(error as Error).message}`);
+      throw new KerfwayError('wrong-type', `This cannot be sent to the worker: give plain data. ${(error as Error).message}`);
     }
   }
 
