@@ -155,11 +155,11 @@ describe('a plan of several workers that is displaced', () => {
     return { plan, least: () => Math.min(...reported) };
   }
 
-  /** It ends with the best path that it has reported. */
+  /** It ends with the best path that it has reported, or with a better one that its searches had when they were stopped. */
   async function endsWithItsBest({ plan, least }) {
     const { reason, progress } = await soon(plan.done, 'the displaced plan');
-    assert.deepEqual([reason, seconds(progress)], ['stopped', least()]);
-    assert.equal(progress.path.contours.length, 400);
+    assert.deepEqual([reason, progress.path.contours.length], ['stopped', 400]);
+    assert.ok(seconds(progress) <= least(), `${seconds(progress)} s after ${least()} s`);
   }
 
   it('ends when another drawing is loaded, or the same one again', async (t) => {
