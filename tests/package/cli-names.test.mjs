@@ -70,6 +70,26 @@ describe('an output that is another file of the same run is wrong usage, and not
     refused(at, ['plan', 'a.dxf', ...QUICK, '--machine', 'mine.json', '--json', 'sub/../mine.json'], /--json sub\/\.\.\/mine\.json is the same file as mine\.json, which is read/);
   });
 
+  it('verify, quote and calibrate did not count their drawing, limits and machine as inputs, and overwrote them', (t) => {
+    const at = place(t);
+    writeFileSync(join(at, 'a.dxf'), dxf(square(0, 0, 24), circle(40, 12, 5), circle(60, 12, 7)));
+    const planned = run(at, ['plan', 'a.dxf', ...QUICK, '--certificate', 'a.cert.json', '--json', 'plan.json']);
+    assert.equal(planned.status, 0, planned.stderr);
+    const { machine } = JSON.parse(readFileSync(join(at, 'plan.json'), 'utf8'));
+    writeFileSync(join(at, 'mine.json'), JSON.stringify(machine));
+    writeFileSync(join(at, 'limits.json'), '{"smallest_hole": 3}');
+    for (const [args, read] of [
+      [['verify', 'a.cert.json', 'a.dxf', '--json', 'hard.dxf'], 'a.dxf'],
+      [['verify', 'a.cert.json', '--json', 'soft.dxf'], 'a.dxf'],
+      [['verify', 'a.cert.json', 'a.dxf', '--machine', './mine.json', '--json', 'mine.json'], './mine.json'],
+      [['quote', 'a.dxf', ...QUICK, '--limits', 'limits.json', '--json', 'sub/../limits.json'], 'limits.json'],
+      [['quote', 'a.dxf', ...QUICK, '--limits', 'limits.json', '--machine', 'mine.json', '--json', './mine.json'], 'mine.json'],
+      [['calibrate', 'plan.json=120', '--machine', 'mine.json', '--json', 'mine.json'], 'mine.json'],
+    ]) {
+      refused(at, args, new RegExp(`is the same file as ${read}, which is read\\. Name another`));
+    }
+  });
+
   it('two drawings with the same output name', (t) => {
     const at = place(t);
     writeFileSync(join(at, 'sub', 'a.dxf'), dxf(circle(0, 0, 5)));

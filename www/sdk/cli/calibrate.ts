@@ -5,7 +5,7 @@ import type { Calibration, MeasuredPlan } from '../protocol.js';
 import { parsed } from './arguments.js';
 import { Destinations, outputsOf } from './destinations.js';
 import { bytesOf, usable, WrongUse } from './io.js';
-import { machineOf } from './machine.js';
+import { machineFiles, machineOf } from './machine.js';
 import { say } from './report.js';
 import { duration, percent } from '../words.js';
 
@@ -14,11 +14,11 @@ export async function calibrate(args: string[]): Promise<void> {
   const jobs = given.words.map(jobOf);
   const outputs = outputsOf(given, ['json']);
   const files = jobs.map((j) => j.file);
-  const destinations = new Destinations(outputs, files);
   const [first = ''] = files;
-  destinations.begin([first]);
   const planner = await createPlanner();
   try {
+    const destinations = new Destinations(outputs, [...files, ...machineFiles(given, planner)]);
+    destinations.begin([first]);
     const machine = await machineOf(given, planner);
     const measured: MeasuredPlan[] = [];
     for (const { file, seconds } of jobs) measured.push({ plan: new TextDecoder().decode(await bytesOf(file)), seconds });

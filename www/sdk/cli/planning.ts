@@ -46,7 +46,7 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
     const isQuote = requested.defaultBudget !== undefined;
     // Report wrong usage before reading any file.
     await choices(words, planner, !isQuote);
-    await eachFile(words, { ...requested, inputs: machineFiles(words, planner) }, async (file, place, to) => {
+    await eachFile(words, { ...requested, inputs: [...(requested.inputs ?? []), ...machineFiles(words, planner)] }, async (file, place, to) => {
       const project = await opened(file);
       const loaded = await usable(file, planner.load(project.drawing, project.name, { ...project.reading, ...load }));
       // What decides on what is cut is reported here and not only by `inspect`: misspelt layers, borders, lettering.

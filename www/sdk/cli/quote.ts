@@ -22,7 +22,8 @@ export async function quote(args: string[]): Promise<void> {
   const limits = await limitsOf(given);
   const order = orderOf(given);
   const outputs = outputsOf(given, ['json']);
-  await planFiles(given, { outputs, columns: COLUMNS, defaultBudget: quoteBudget }, async ({ file, place, planner, options, result }, to) => {
+  const inputs = [text(given.values, 'limits') ?? []].flat();
+  await planFiles(given, { outputs, columns: COLUMNS, inputs, defaultBudget: quoteBudget }, async ({ file, place, planner, options, result }, to) => {
     const quoted = await usable(file, planner.quote({ material, ...limits }));
     const saved = given.values['savings'] === true ? await usable(file, savingsOf(planner, options, result)) : null;
     await to.write(file, outputs.map((output) => {

@@ -3,11 +3,11 @@
 import { readFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { createPlanner } from '../node.js';
-import type { Verified } from '../protocol.js';
-import { parsed, text } from './arguments.js';
+import type { MachineProfile, Verified } from '../protocol.js';
+import { parsed, text, type Words } from './arguments.js';
 import { Destinations, outputsOf } from './destinations.js';
 import { bytesOf, Unusable, WrongUse } from './io.js';
-import { machineOf } from './machine.js';
+import { machineFiles, machineOf } from './machine.js';
 import { say } from './report.js';
 
 export async function verify(args: string[]): Promise<void> {
@@ -15,11 +15,12 @@ export async function verify(args: string[]): Promise<void> {
   const [file = '', drawing, more] = given.words;
   if (more !== undefined) throw new WrongUse(`Give a certificate and its drawing: ${more} is one too many.`);
   const outputs = outputsOf(given, ['json']);
-  const destinations = new Destinations(outputs);
-  destinations.begin([file]);
-  const machine = text(given.values, 'machine') === undefined ? {} : { machine: await namedMachine(given) };
+  const { files, ...machine } = await namedMachine(given);
   const certificate = new TextDecoder().decode(await bytesOf(file));
-  const bytes = await (drawing === undefined ? besideCertificate(file, certificate) : bytesOf(drawing));
+  const beside = drawing ?? besideCertificate(file, certificate);
+  const destinations = new Destinations(outputs, [beside, ...files]);
+  destinations.begin([file]);
+  const bytes = await (drawing === undefined ? orGiven(bytesOf(beside)) : bytesOf(drawing));
   const research = await import('../pkg/kerfway_research.js');
   research.initSync({ module: await readFile(new URL('../pkg/kerfway_research_bg.wasm', import.meta.url)) });
   let verified: Verified;
@@ -32,21 +33,27 @@ export async function verify(args: string[]): Promise<void> {
   if (given.values['quiet'] !== true) await say([sentence(verified)], destinations.piped);
 }
 
-async function namedMachine(given: Parameters<typeof machineOf>[0]) {
+/** The machine that `--machine` names, if it names one, and the files that it is read from. */
+async function namedMachine(given: Words): Promise<{ files: string[]; machine?: MachineProfile }> {
+  if (text(given.values, 'machine') === undefined) return { files: [] };
   const planner = await createPlanner();
   try {
-    return await machineOf(given, planner);
+    return { files: machineFiles(given, planner), machine: await machineOf(given, planner) };
   } finally {
     planner.close();
   }
 }
 
-/** Without a drawing in the arguments, the file of the certificate's own name beside it. */
-async function besideCertificate(file: string, certificate: string): Promise<Uint8Array> {
+/** The drawing that the certificate names, in the folder of the certificate. It is used when the arguments name no drawing. */
+function besideCertificate(file: string, certificate: string): string {
   const name = /"drawing":\{"name":("(?:[^"\\]|\\.)*")/.exec(certificate)?.[1];
   if (name === undefined) throw new Unusable(`${file} names no drawing: either it is no certificate, or give its drawing after it.`);
+  return join(dirname(file), JSON.parse(name) as string);
+}
+
+async function orGiven(read: Promise<Uint8Array>): Promise<Uint8Array> {
   try {
-    return await bytesOf(join(dirname(file), JSON.parse(name) as string));
+    return await read;
   } catch (error) {
     throw error instanceof Unusable ? new Unusable(`${error.message} Give the drawing after the certificate.`) : error;
   }
