@@ -79,6 +79,16 @@ describe('several drawings', () => {
     assert.deepEqual([one.code, JSON.parse(one.stdout).error.code], [1, 'unreadable-file']);
   });
 
+  it('the batch ended when the reader of standard error had gone', { skip: process.platform === 'win32' && 'pipes end otherwise there' }, async (t) => {
+    const at = folder(t);
+    writeFileSync(join(at, 'b.dxf'), dxf(square(0, 0, 10)));
+    const child = spawn(process.execPath, [CLI, 'inspect', join(at, 'a.dxf'), join(at, 'b.dxf'), '--json', `${at}/`], { stdio: ['ignore', 'ignore', 'pipe'] });
+    child.stderr.destroy();
+    const [code] = await once(child, 'exit');
+    assert.equal(code, 4);
+    assert.equal(JSON.parse(readFileSync(join(at, 'b.json'), 'utf8')).totals.closed, 1);
+  });
+
   it('a pattern that matches nothing is reported as a pattern', async (t) => {
     const at = drawings(t, ['a.dxf']);
     const { code, stderr } = await kerfway('inspect', join(at, '*.dwg'));

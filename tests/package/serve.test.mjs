@@ -102,6 +102,17 @@ describe('the service', () => {
     for (const type of ['multipart/form-data', 'multipart/form-data; boundary=other']) await refused(await send('/quote', PLATE, { headers: { 'content-type': type } }), 400, 'malformed-form');
   });
 
+  it('ended when the reader of its log had gone', async (t) => {
+    const { child, url, send } = await serve(t);
+    child.stderr.destroy();
+    for (let k = 0; k < 3; k += 1) {
+      assert.equal((await fetch(`${url}/healthz`)).status, 200);
+      await wait(100);
+    }
+    assert.equal((await send('/inspect', PLATE)).status, 200);
+    assert.equal(child.exitCode, null);
+  });
+
   it('needs a key when it has keys, but not for its health', async (t) => {
     const at = folder(t);
     writeFileSync(join(at, 'keys'), '# shops\nshop-a 0123456789abcdef0123\nfedcba98765432100000\n');

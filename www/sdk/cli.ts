@@ -44,6 +44,9 @@ process.stdout.on('error', (error: NodeJS.ErrnoException) => {
   if (error.code === 'EPIPE') readerLeft();
 });
 
+// When the reader of messages and of the log has gone, nobody can be told. The work goes on, and a service keeps answering.
+process.stderr.on('error', () => {});
+
 try {
   await main(process.argv.slice(2));
 } catch (error) {
