@@ -13,18 +13,20 @@
  * @module kerfway/frame
  */
 
+import { readBytes, viewed, type Bytes } from '../bytes.js';
+import { checkOne } from '../check.js';
 import { ClosedError, KerfwayError } from '../errors.js';
 import type { Planned } from '../functions.js';
 import { checkOptions, type PlanningOptions } from '../options.js';
 import type { MachineProfile, MethodInfo } from '../protocol.js';
 import type { Material, Quote } from '../quote.js';
-import { MARK, type FromFrame, type Kind, type Marked, type Pace, type ToFrame } from './messages.js';
+import { KINDS, LONGEST_NAME, MARK, type FromFrame, type Kind, type Marked, type Pace, type ToFrame } from './messages.js';
 
 export type { Kind, Pace } from './messages.js';
 
 /** Callbacks for drawings that the host opens and for those that a person drops into the frame. */
 export interface FrameListener {
-  /** The planner in the frame has started; it has these machines and methods. */
+  /** The planner in the frame has started; it has these machines and methods. Called again when the frame was loaded again. */
   onReady?: (planner: { machines: readonly MachineProfile[]; methods: readonly MethodInfo[] }) => void;
   /** The search reports its progress. */
   onProgress?: (progress: Pace) => void;
@@ -42,17 +44,17 @@ export interface FrameListener {
 export interface FrameConnection {
   /** Sets how drawings are read and planned, including those that a person drops. Throws one sentence when an option is unusable. */
   setOptions(options: PlanningOptions): void;
-  /** Plans a drawing in the frame. Rejects with one sentence when it is unusable or another drawing is opened. */
-  open(bytes: ArrayBuffer, name: string): Promise<Planned<'gcode'>>;
+  /** Plans a drawing in the frame. Rejects with one sentence when it is unusable, another drawing is opened, or the frame is loaded again. */
+  open(bytes: Bytes, name: string): Promise<Planned<'gcode'>>;
   /** Quotes a drawing in a frame with `show=quote` in its address. */
-  quote(bytes: ArrayBuffer, name: string): Promise<Quote>;
+  quote(bytes: Bytes, name: string): Promise<Quote>;
   /** Sets the material of the sheet for quotes. */
   setMaterial(material: Material): void;
   /** Ends the running search and keeps the best plan. */
   stop(): void;
   /** Writes the finished plan in another format: as text, or as the bytes of a PNG. */
   render(kind: Kind, options?: { width?: number }): Promise<string | Uint8Array>;
-  /** Ends the connection. Calls that wait for an answer are rejected. */
+  /** Ends the connection. Calls that wait for an answer are rejected, and so are later ones. */
   disconnect(): void;
 }
 
@@ -61,6 +63,8 @@ interface Request {
   reject: (error: Error) => void;
 }
 
+const DISCONNECTED = 'The frame was disconnected.';
+
 /** Connects to a frame whose address is set; it need not be loaded yet. Messages that are sent before it is ready are delivered later. */
 export function connectFrame(iframe: HTMLIFrameElement, listener: FrameListener = {}): FrameConnection {
   const { origin } = new URL(iframe.src, location.href);
@@ -68,14 +72,22 @@ export function connectFrame(iframe: HTMLIFrameElement, listener: FrameListener 
   let lastId = 0;
   /** Messages for a frame that is not ready yet; `null` afterwards. */
   let early: ToFrame[] | null = [];
+  /** The page that is ready in the frame: it may be loaded again. */
+  let page: number | null = null;
+  /** The latest options and material, which a page that is loaded again does not have. */
+  const settings = new Map<'options' | 'material', ToFrame>();
+  let connected = true;
 
   const post = (message: ToFrame) => iframe.contentWindow?.postMessage({ ...message, kerfway: MARK }, origin);
   const send = (message: ToFrame) => {
+    if (!connected) return;
+    if (message.type === 'options' || message.type === 'material') settings.set(message.type, message);
     if (early === null) post(message);
     else early.push(message);
   };
   const ask = <T>(message: (id: number) => ToFrame): Promise<T> =>
     new Promise((resolve, reject) => {
+      if (!connected) throw new ClosedError(DISCONNECTED);
       const id = ++lastId;
       requests.set(id, { resolve, reject });
       send(message(id));
@@ -84,6 +96,21 @@ export function connectFrame(iframe: HTMLIFrameElement, listener: FrameListener 
     const request = requests.get(id);
     requests.delete(id);
     if (request !== undefined) how(request);
+  };
+  const rejectAll = (error: KerfwayError) => {
+    for (const id of [...requests.keys()]) settle(id, ({ reject }) => reject(error));
+  };
+  // Whatever the frame would ignore is refused here, because such a call would never settle.
+  const openFile = async <T>(given: Bytes, name: string): Promise<T> => {
+    checkOne('The option', 'name', 'text', name);
+    if (name.length === 0 || name.length > LONGEST_NAME) {
+      throw new KerfwayError('out-of-range', `The option "name" has ${name.length} characters. Give 1 to ${LONGEST_NAME}.`, { field: 'name', value: name.slice(0, LONGEST_NAME), least: 1, most: LONGEST_NAME });
+    }
+    // Bytes that are there already are sent before this call returns, so that they stay in order with other messages.
+    const read = viewed(given) ?? (await readBytes(given)).bytes;
+    // A view may be a part of a larger buffer, or of memory that threads share.
+    const bytes = read instanceof ArrayBuffer ? read : (ArrayBuffer.isView(read) ? read : new Uint8Array(read)).slice().buffer;
+    return ask<T>((id) => ({ type: 'open', id, bytes, name }));
   };
   const priceOf = async (quote: Quote) => {
     try {
@@ -96,10 +123,12 @@ export function connectFrame(iframe: HTMLIFrameElement, listener: FrameListener 
   const receive = (message: FromFrame) => {
     switch (message.type) {
       case 'ready': {
-        const first = early;
-        early = null;
-        first?.forEach(post);
-        if (first !== null) listener.onReady?.({ machines: message.machines, methods: message.methods });
+        // A page says this again when it is greeted again.
+        if (early === null && message.page === page) return;
+        if (early === null) rejectAll(new KerfwayError('planner-died', 'The frame was loaded again before its answer. Open the drawing again.'));
+        (early ?? [...settings.values()]).forEach(post);
+        [early, page] = [null, message.page];
+        listener.onReady?.({ machines: message.machines, methods: message.methods });
         return;
       }
       case 'progress':
@@ -129,16 +158,20 @@ export function connectFrame(iframe: HTMLIFrameElement, listener: FrameListener 
   greet();
   return {
     setOptions: (options) => send({ type: 'options', options: checkOptions(options, 'readingAndPlanning') }),
-    open: (bytes, name) => ask((id) => ({ type: 'open', id, bytes, name })),
-    quote: (bytes, name) => ask((id) => ({ type: 'open', id, bytes, name })),
+    open: openFile,
+    quote: openFile,
     setMaterial: (material) => send({ type: 'material', ...checkOptions({ material }, 'terms') }),
     stop: () => send({ type: 'stop' }),
-    render: (kind, { width } = {}) => ask((id) => ({ type: 'render', id, kind, width: width ?? null })),
+    render: async (kind, { width } = {}) => {
+      checkOne('The option', 'kind', { choice: KINDS }, kind);
+      checkOptions({ width }, 'render');
+      return ask((id) => ({ type: 'render', id, kind, width: width ?? null }));
+    },
     disconnect: () => {
+      connected = false;
       window.removeEventListener('message', listen);
       iframe.removeEventListener('load', greet);
-      for (const { reject } of requests.values()) reject(new ClosedError('The frame was disconnected.'));
-      requests.clear();
+      rejectAll(new ClosedError(DISCONNECTED));
     },
   };
 }

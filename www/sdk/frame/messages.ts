@@ -33,7 +33,8 @@ export type ToFrame =
   | { type: 'render'; id: number; kind: Kind; width: number | null };
 
 export type FromFrame =
-  | { type: 'ready'; machines: readonly MachineProfile[]; methods: readonly MethodInfo[] }
+  /** `page`: when the page in the frame was loaded; another number is another page, which knows nothing that the host sent before. */
+  | { type: 'ready'; page: number; machines: readonly MachineProfile[]; methods: readonly MethodInfo[] }
   | { type: 'progress'; progress: Pace }
   | { type: 'result'; result: Planned<'gcode'> }
   | { type: 'quoted'; quote: Quote }
@@ -51,7 +52,7 @@ const WIDEST = 8192;
 /** The largest number of characters of a price in words. */
 const LONGEST_PRICE = 1000;
 /** The largest number of characters of a file's name. */
-const LONGEST_NAME = 255;
+export const LONGEST_NAME = 255;
 
 /** Reads `data` as a message to the frame; `null` if it is not exactly one of them. */
 export function messageToFrame(data: unknown): ToFrame | null {

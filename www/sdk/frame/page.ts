@@ -53,7 +53,7 @@ function bridge(origin: string): void {
   };
 
   on('ready', (detail) => {
-    ready = { type: 'ready', ...detail };
+    ready = { type: 'ready', page: performance.timeOrigin, ...detail };
     send(ready);
   });
   on('progress', ({ moves, seconds, rate, summary }) => send({ type: 'progress', progress: { moves, seconds, rate, summary } }));
