@@ -1,6 +1,8 @@
 // kerfway serve: uploads of all kinds, errors with codes, keys, CORS, backpressure, an orderly stop, and its description.
 
 import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
 import { writeFileSync } from 'node:fs';
 import { connect } from 'node:net';
 import { join } from 'node:path';
@@ -9,10 +11,12 @@ import { setTimeout as wait } from 'node:timers/promises';
 import { Validator } from '@seriousme/openapi-schema-validator';
 import { quote } from 'kerfway';
 import { keysIn } from '../../dist/sdk/server/keys.js';
+import { serve as startService } from '../../dist/sdk/server/serve.js';
+import { DEFAULTS } from '../../dist/sdk/server/settings.js';
 import { safeName } from '../../dist/sdk/server/body.js';
 import { hostile } from './hostile.mjs';
 import { form, serve } from './serving.mjs';
-import { bytes, circle, dxf, folder, kerfway, KEYBOARD, square } from './support.mjs';
+import { bytes, circle, CLI, dxf, folder, kerfway, KEYBOARD, square } from './support.mjs';
 
 const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
 const SHORT = 'moves=1000&seed=1';
@@ -113,6 +117,72 @@ describe('the service', () => {
     assert.equal(child.exitCode, null);
   });
 
+  it('counted the parts of a form by another boundary than its parser took', async (t) => {
+    const { send } = await serve(t);
+    const real = '-'.repeat(28) + 'abcdef';
+    const part = (head, content) => `--${real}\r\ncontent-disposition: form-data; ${head}\r\n\r\n${content}\r\n`;
+    const drawing = part('name="f"; filename="a.dxf"', new TextDecoder().decode(PLATE));
+    const sent = (fields, type) => send(`/quote?${SHORT}`, `${part('name="name"', 'b.dxf').repeat(fields)}${drawing}--${real}--\r\n`, { headers: { 'content-type': type } });
+    const many = 'The form has more than 32 parts. Send one file, and its options in one field.';
+    const other = 'The form cannot be read: its parts do not end as they should.';
+    for (const [before, sentence] of [['', many], ['xboundary=zzz; ', many], ['x="; boundary=zzz"; ', many], ['x="; boundary=zzz; "; ', other]]) {
+      const { message } = await refused(await sent(40, `multipart/form-data; ${before}boundary=${real}`), 400, 'malformed-form');
+      assert.equal(message, sentence, before);
+    }
+    for (const type of [`boundary=${real}`, `boundary="${real}"; charset=utf-8`, `xboundary=zzz; BOUNDARY=${real}`]) {
+      const report = await (await sent(1, `multipart/form-data; ${type}`)).json();
+      assert.equal(report.input?.name, 'b.dxf', JSON.stringify(report));
+    }
+  });
+
+  it('drew a picture of each of a hundred thousand parts, and answered nobody else meanwhile', async (t) => {
+    const { send } = await serve(t);
+    const many = dxf(...Array.from({ length: 1200 }, (_, k) => circle(6 * (k % 40), 6 * Math.floor(k / 40), 2)));
+    const { parts, thumbnails } = await (await send('/inspect?thumbnails=8', many)).json();
+    assert.equal(parts.length, 1200);
+    assert.deepEqual(Object.keys(thumbnails).sort(), parts.slice(0, 1000).map(({ outer }) => String(outer)).sort());
+  });
+
+  it('kept any number of answers for clients that did not read them', async (t) => {
+    const log = [];
+    const body = { data: 'x'.repeat(8e6) };
+    const backend = { full: async () => false, take: async () => ({ status: 200, body }), find: async () => null, waiting: () => 0, close: async () => {} };
+    const service = await startService({ ...DEFAULTS, workers: 1, waiting: 1, port: 0, upload: 0.2, grace: 1 }, backend, '0', (_, event) => log.push(event));
+    const { hostname, port } = new URL(service.url);
+    const clients = [1, 2].map(() => connect(Number(port), hostname).on('error', () => {}));
+    t.after(() => Promise.all([service.stop(), ...clients.map((client) => client.destroy())]));
+    for (const client of clients) {
+      client.pause();
+      client.write('POST /inspect HTTP/1.1\r\nhost: a\r\ncontent-length: 1\r\n\r\nx');
+    }
+    const post = () => fetch(`${service.url}/inspect`, { method: 'POST', body: 'x' });
+    for (let k = 0; k < 100 && (await (await fetch(`${service.url}/healthz`)).json()).running < 2; k += 1) await wait(20);
+    await refused(await post(), 429, 'busy');
+    // An answer of 8 MB may take 8.2 seconds.
+    await wait(9_000);
+    const after = await post();
+    assert.deepEqual([after.status, (await after.json()).data.length, log.filter((event) => event === 'unread').length], [200, 8e6, 2]);
+    assert.equal((await (await fetch(`${service.url}/healthz`)).json()).running, 0);
+  });
+
+  it('took addresses like // for a fault of its own', async (t) => {
+    const { url, log } = await serve(t);
+    const { hostname, port } = new URL(url);
+    const status = (address) => new Promise((resolve) => {
+      const socket = connect(Number(port), hostname);
+      socket.once('data', (data) => (socket.destroy(), resolve(Number(String(data).split(' ')[1]))));
+      socket.write(`GET ${address} HTTP/1.1\r\nHost: x\r\n\r\n`);
+    });
+    for (const address of ['//', '///x', '/\\', 'http://[/', '*', '//x/healthz']) assert.equal(await status(address), 404, address);
+    for (const address of ['/healthz', 'http://proxied.example/healthz']) assert.equal(await status(address), 200, address);
+    assert.deepEqual(log.filter(({ event }) => event === 'fault'), []);
+  });
+
+  it('did not start with a time for uploads like 2.3 seconds', async (t) => {
+    const { send } = await serve(t, '--upload-seconds', '2.3');
+    assert.equal((await send('/inspect', PLATE)).status, 200);
+  });
+
   it('needs a key when it has keys, but not for its health', async (t) => {
     const at = folder(t);
     writeFileSync(join(at, 'keys'), '# shops\nshop-a 0123456789abcdef0123\nfedcba98765432100000\n');
@@ -190,6 +260,15 @@ describe('the service', () => {
     const { valid, errors } = await new Validator().validate(structuredClone(described));
     assert.equal(valid, true, JSON.stringify(errors));
     // tests/package/matrix/service.test.mjs generates a client from it.
+  });
+
+  it('as a worker without its queue did not stop when it was told to', async () => {
+    const child = spawn(process.execPath, [CLI, 'work', '--queue', 'redis://127.0.0.1:1', '--workers', '1'], { stdio: ['ignore', 'pipe', 'ignore'] });
+    await once(child.stdout, 'data');
+    child.kill('SIGTERM');
+    const [code] = await Promise.race([once(child, 'exit'), wait(20_000, ['still running'])]);
+    child.kill('SIGKILL');
+    assert.equal(code, 0);
   });
 
   it('is started with settings that make sense, or not at all', async (t) => {

@@ -16,9 +16,14 @@ const ROOM = 0.04;
  * An SVG of one part with its holes, and the marks and open cuts on it as lines. `id` is the id of its outer contour: `outer` of `Loaded.parts`,
  * `id` of the items of a quote. It has the text colour of the page around it.
  */
-export function partThumbnail(loaded: Pick<Loaded, 'contours' | 'geometry' | 'parts'>, id: number, { size = 96 }: ThumbnailOptions = {}): string {
+export function partThumbnail(loaded: Pick<Loaded, 'contours' | 'geometry' | 'parts'>, id: number, options: ThumbnailOptions = {}): string {
   const part = loaded.parts.find((p) => p.outer === id);
   if (part === undefined) throw new KerfwayError('unknown-contour', `Contour ${String(id)} is not the outer contour of a part.`, { contour: Number(id), count: loaded.contours.length });
+  return thumbnailOf(loaded, part, options);
+}
+
+/** The same for a part that is at hand, without looking for it among all parts. */
+export function thumbnailOf(loaded: Pick<Loaded, 'contours' | 'geometry'>, part: Loaded['parts'][number], { size = 96 }: ThumbnailOptions = {}): string {
   if (!(size >= 8 && size <= 4096)) throw new KerfwayError('out-of-range', `The option "size" is ${String(size)}. Give a number from 8 to 4096 pixels.`, { field: 'size', value: String(size), least: 8, most: 4096 });
   const isArea = (contour: number) => loaded.contours[contour]?.closed === true && loaded.contours[contour]?.operation === 'cut';
   const lines = [part.outer, ...part.holes].map((contour) => ({ area: isArea(contour), elements: elementsOf(loaded.geometry, contour) }));

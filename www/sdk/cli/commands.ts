@@ -312,7 +312,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
         workers: { value: 'N', about: 'drawings worked on at once (default: the number of processors)' },
         waiting: { value: 'N', about: 'requests that may wait (default 64)' },
         largest: { value: 'MB', about: 'the largest body (default 20)' },
-        'upload-seconds': { value: 'S', about: 'the time for a body to arrive (default 30)' },
+        'upload-seconds': { value: 'S', about: 'the time for a body to arrive, and for an answer to be read, with a second more for each MB of it (default 30)' },
         deadline: { value: 'S', about: 'the time for a drawing, besides the seconds of its search (default 120)' },
         'most-seconds': { value: 'S', about: 'the longest search that a request may ask for (default 60)' },
         'most-moves': { value: 'N', about: 'the most moves that a request may ask for (default 100000000)' },

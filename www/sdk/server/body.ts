@@ -62,13 +62,16 @@ function received(request: IncomingMessage, { largest, upload }: BodyLimits): Pr
   });
 }
 
+/** The boundary in the type of a form. The parser gets no other one, so that the parts that are counted are those that it reads. */
+const BOUNDARY = /;\s*boundary=(?:"([\w'()+,./:=? -]{1,70})"|([\w'()+,./:=?-]{1,70}))\s*(?:;|$)/i;
+
 /** Reads a form with Node's own parser. It must have exactly one file. */
 async function formOf(bytes: Buffer, type: string): Promise<Upload> {
-  const boundary = /boundary=(?:"([^"]{1,70})"|([^;\s]{1,70}))/i.exec(type);
+  const [, quoted, boundary = quoted] = BOUNDARY.exec(type) ?? [];
   const malformed = (sentence: string) => new KerfwayError('malformed-form', sentence);
-  if (boundary === null) throw malformed('The content type of the form has no boundary.');
-  if (partsOf(bytes, boundary[1] ?? boundary[2] ?? '') > MOST_PARTS) throw malformed(`The form has more than ${MOST_PARTS} parts. Send one file, and its options in one field.`);
-  const form = await new Response(new Uint8Array(bytes), { headers: { 'content-type': type } }).formData().catch(() => {
+  if (boundary === undefined) throw malformed('The content type of the form has no boundary.');
+  if (partsOf(bytes, boundary) > MOST_PARTS) throw malformed(`The form has more than ${MOST_PARTS} parts. Send one file, and its options in one field.`);
+  const form = await new Response(new Uint8Array(bytes), { headers: { 'content-type': `multipart/form-data; boundary="${boundary}"` } }).formData().catch(() => {
     throw malformed('The form cannot be read: its parts do not end as they should.');
   });
   const files: File[] = [];

@@ -6,7 +6,7 @@ import type { Functions } from '../functions.js';
 import { inspectReport } from '../inspect-report.js';
 import { reading } from '../options.js';
 import type { Loaded, OutputKind } from '../protocol.js';
-import { partThumbnail } from '../thumbnail.js';
+import { thumbnailOf } from '../thumbnail.js';
 import { outputsIn, type JobKind } from './request-options.js';
 
 /** A drawing and what is wanted of it. It is plain data, except for the bytes. */
@@ -20,13 +20,16 @@ export interface Job {
   acceptGuess: boolean;
 }
 
+/** The most parts that get a picture, in the order of the report. More would keep the thread of the service busy for seconds. */
+export const MOST_THUMBNAILS = 1000;
+
 /** Does the work. The result is what the response has as JSON. */
 export async function done(on: Functions, { kind, name, options, thumbnails, acceptGuess }: Job, bytes: Uint8Array, signal: AbortSignal): Promise<object> {
   const named = { ...options, name, signal };
   if (kind === 'quote') return on.quote(bytes, named);
   if (kind === 'inspect') {
     const loaded = await on.inspect(bytes, named);
-    const pictures = thumbnails === null ? {} : { thumbnails: Object.fromEntries(loaded.parts.map(({ outer }) => [outer, partThumbnail(loaded, outer, { size: thumbnails })])) };
+    const pictures = thumbnails === null ? {} : { thumbnails: picturesOf(loaded, thumbnails) };
     return { ...inspectReport(loaded), ...pictures };
   }
   const wanted = outputsIn(options);
@@ -34,6 +37,11 @@ export async function done(on: Functions, { kind, name, options, thumbnails, acc
   const { loaded, path: _, beam: __, common: ___, outputs, ...planned } = await on.plan<OutputKind>(bytes, { ...named, outputs: wanted });
   const asText = Object.entries(outputs).map(([of, data]) => [of, typeof data === 'string' ? data : Buffer.from(data).toString('base64')]);
   return { schema: 'kerfway.planned/1', input: { sha256: loaded.sha256, name: loaded.name }, ...planned, findings: [...loaded.findings, ...planned.findings], outputs: Object.fromEntries(asText) };
+}
+
+/** Pictures of the first parts, by the id of their outer contour. */
+function picturesOf(loaded: Loaded, size: number): Record<string, string> {
+  return Object.fromEntries(loaded.parts.slice(0, MOST_THUMBNAILS).map((part) => [part.outer, thumbnailOf(loaded, part, { size })]));
 }
 
 /** Refuses before the search, which may take a minute. */

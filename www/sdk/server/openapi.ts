@@ -2,6 +2,7 @@
 
 import type { Field, Kind } from '../check.js';
 import { SHAPES } from '../fields.js';
+import { MOST_THUMBNAILS } from './jobs.js';
 import { fieldsOf, JOB_KINDS, type JobKind } from './request-options.js';
 
 type Schema = Record<string, unknown>;
@@ -52,7 +53,7 @@ function operation(kind: JobKind, queued: boolean, security: unknown[]): Schema 
     security,
     parameters: [
       parameter('name', { type: 'string', maxLength: 255 }, 'Name of the file, for reports.'),
-      ...(kind === 'inspect' ? [parameter('thumbnails', { type: 'integer', minimum: 8, maximum: 1024 }, 'Adds an SVG of each part, of this size in pixels.')] : []),
+      ...(kind === 'inspect' ? [parameter('thumbnails', { type: 'integer', minimum: 8, maximum: 1024 }, `Adds an SVG of each part, of this size in pixels; of more than ${MOST_THUMBNAILS} parts, of the first ${MOST_THUMBNAILS}.`)] : []),
       ...(kind === 'plan' ? [parameter('acceptGuess', { type: 'boolean' }, 'Writes programs although the unit of the drawing is in doubt.')] : []),
       ...simple.map((f) => parameter(f.name, schemaOf(f), `The option ${f.name}.`)),
       { name: 'options', in: 'query', required: false, description: 'All options as JSON.', content: { 'application/json': { schema: ref(optionsName(kind)) } } },

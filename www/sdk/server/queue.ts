@@ -137,7 +137,7 @@ function failureOf(reason: string | undefined): ErrorReport {
 
 /** A process that takes jobs from the queue. */
 export interface QueueWorker {
-  /** Finishes the running jobs and ends. */
+  /** Finishes the running jobs and ends. Without a connection to the queue it ends at once. */
   stop(): Promise<void>;
 }
 
@@ -176,7 +176,8 @@ export async function queueWorker(address: string, { workers, deadline }: Pick<S
   log('info', 'working', { workers });
   return {
     stop: async () => {
-      await worker.close();
+      // Without its server the worker would wait for a connection for ever, and results of running jobs would have nowhere to go.
+      await worker.close(redis.status !== 'ready');
       pool.close();
       redis.disconnect();
       log('info', 'stopped');

@@ -29,6 +29,10 @@ export interface Service {
 const RETRY_AFTER = 5;
 /** Milliseconds in which the headers of a request must have arrived. */
 const HEADERS_TIMEOUT = 10_000;
+/** Bytes of an answer that even a slow client reads in a second. */
+const READ_PER_SECOND = 1e6;
+/** Milliseconds: a longer timer would end at once. */
+const LONGEST_TIMER = 2 ** 31 - 1;
 
 /** Starts the service. */
 export async function serve(settings: ServerSettings, backend: Backend, version: string, log: Log): Promise<Service> {
@@ -59,7 +63,7 @@ class HttpService {
     private readonly log: Log,
   ) {
     this.metrics = new Metrics({ waiting: () => backend.waiting(), running: () => this.running.size });
-    this.server = createServer({ headersTimeout: HEADERS_TIMEOUT, requestTimeout: (settings.upload + 30) * 1000, keepAliveTimeout: 5_000 }, (request, response) => {
+    this.server = createServer({ headersTimeout: HEADERS_TIMEOUT, requestTimeout: Math.round((settings.upload + 30) * 1000), keepAliveTimeout: 5_000 }, (request, response) => {
       void this.handle(request, response);
     });
   }
@@ -97,12 +101,14 @@ class HttpService {
     const begun = performance.now();
     const gone = new AbortController();
     response.on('close', () => {
+      // An answer takes memory until its client has read it, so its place is free only then.
+      this.running.delete(gone);
       if (!response.writableFinished) gone.abort(new KerfwayError('closed', 'The client has disconnected.'));
     });
     let route = 'other';
     let reply: Reply;
     try {
-      const url = new URL(request.url ?? '/', 'http://service');
+      const url = addressOf(request.url ?? '/');
       route = routeOf(url.pathname);
       reply = await this.reply(request, url, route, gone);
     } catch (error) {
@@ -145,21 +151,19 @@ class HttpService {
     if (this.running.size >= this.settings.workers + this.settings.waiting || (await this.backend.full())) {
       throw new KerfwayError('busy', `Too many drawings wait. Try again in ${RETRY_AFTER} seconds.`, { retryAfter: RETRY_AFTER });
     }
+    // A client that has gone by now closes its response no second time.
+    gone.signal.throwIfAborted();
     this.running.add(gone);
-    try {
-      const { bytes, name, fields } = await uploadOf(request, this.settings);
-      this.metrics.drawing(bytes.byteLength);
-      const options = requestOptions(kind, url.searchParams, fields, this.settings);
-      const job = {
-        kind, name: safeName(url.searchParams.get('name') ?? fields.get('name') ?? name), options,
-        thumbnails: thumbnailsIn(kind, url.searchParams), acceptGuess: acceptGuessIn(url.searchParams, fields),
-      };
-      const answer = await this.backend.take(job, bytes, gone.signal);
-      const headers: Record<string, string> = answer.status === 202 ? { location: `/jobs/${answer.body.id}` } : {};
-      return { ...ok(answer.body), status: answer.status, headers };
-    } finally {
-      this.running.delete(gone);
-    }
+    const { bytes, name, fields } = await uploadOf(request, this.settings);
+    this.metrics.drawing(bytes.byteLength);
+    const options = requestOptions(kind, url.searchParams, fields, this.settings);
+    const job = {
+      kind, name: safeName(url.searchParams.get('name') ?? fields.get('name') ?? name), options,
+      thumbnails: thumbnailsIn(kind, url.searchParams), acceptGuess: acceptGuessIn(url.searchParams, fields),
+    };
+    const answer = await this.backend.take(job, bytes, gone.signal);
+    const headers: Record<string, string> = answer.status === 202 ? { location: `/jobs/${answer.body.id}` } : {};
+    return { ...ok(answer.body), status: answer.status, headers };
   }
 
   private failed(error: unknown, signal: AbortSignal): Reply {
@@ -171,8 +175,10 @@ class HttpService {
 
   private send(request: IncomingMessage, response: ServerResponse, { status, body, type = 'application/json; charset=utf-8', headers = {} }: Reply): void {
     const unread = !request.complete;
+    // As bytes, because a text would be kept beside its bytes until all are sent.
+    const bytes = Buffer.from(body);
     response.writeHead(status, {
-      ...(status === 204 ? {} : { 'content-type': type, 'content-length': Buffer.byteLength(body) }),
+      ...(status === 204 ? {} : { 'content-type': type, 'content-length': bytes.length }),
       'cache-control': 'no-store',
       'x-content-type-options': 'nosniff',
       ...this.cors(request),
@@ -180,12 +186,25 @@ class HttpService {
       // The rest of a refused body is not read.
       ...(unread ? { connection: 'close' } : {}),
     });
-    response.end(request.method === 'HEAD' ? '' : body);
+    response.end(request.method === 'HEAD' ? undefined : bytes);
+    this.endUnread(request, response, bytes.length);
     if (unread) {
       // The client may still be sending: what arrives for a moment is dropped, so that it sees the answer and not a reset.
       request.resume();
       setTimeout(() => request.destroy(), 500).unref();
     }
+  }
+
+  /** Ends the connection of a client that does not read its answer: it would be kept for as long as the client likes. */
+  private endUnread(request: IncomingMessage, response: ServerResponse, size: number): void {
+    // A client that has left reads nothing, and closes nothing any more.
+    if (response.destroyed) return;
+    const seconds = this.settings.upload + size / READ_PER_SECOND;
+    const late = setTimeout(() => {
+      this.log('warn', 'unread', { bytes: size });
+      request.socket.destroy();
+    }, Math.min(seconds * 1000, LONGEST_TIMER));
+    response.on('close', () => clearTimeout(late));
   }
 
   private cors(request: IncomingMessage): Record<string, string> {
@@ -199,6 +218,12 @@ class HttpService {
       ...(request.method === 'OPTIONS' ? { 'access-control-allow-methods': 'GET, POST', 'access-control-allow-headers': 'authorization, content-type, x-api-key', 'access-control-max-age': '600' } : {}),
     };
   }
+}
+
+/** The address of a request: a path, or a whole address as for a proxy. What is neither is nothing that there is here. */
+function addressOf(given: string): URL {
+  const whole = given.startsWith('/') ? `http://service${given}` : given;
+  return new URL(URL.canParse(whole) ? whole : 'http://service/');
 }
 
 function routeOf(path: string): string {

@@ -10,7 +10,7 @@ export interface ServerSettings {
   waiting: number;
   /** The largest body, in bytes. */
   largest: number;
-  /** Seconds in which a body must have arrived. */
+  /** Seconds in which a body must have arrived, and in which an answer must have been read, with one more for each MB of it. */
   upload: number;
   /** Seconds that a drawing may take once its turn has come, besides the `seconds` of its search. */
   deadline: number;
