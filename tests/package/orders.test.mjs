@@ -53,9 +53,35 @@ describe('verifyQuote', () => {
       assert.ok(isKerfwayError(error), String(error));
       assert.equal(error.code, code, error.message);
     }
+    // The number of workers stood on both sides of the limit, so that it had none.
+    for (const [given, field] of [[{ ...report, workers: 64, moves: 1 }, 'workers'], [{ ...report, workers: 16, moves: 200_000_000 }, 'moves'], [{ ...report, workers: 0 }, 'workers']]) {
+      const error = await verifyQuote(bytes(KEYBOARD), given).then(() => assert.fail(field), (e) => e);
+      assert.deepEqual([error.code, error.params.field], ['out-of-range', field], error.message);
+    }
     const old = await verifyQuote(bytes(KEYBOARD), { schema: 'kerfway.quote/1' }).catch((e) => e.message);
     assert.match(old, /reads kerfway\.quote\/2\. Make the quote again\./);
   });
+});
+
+it('reports without some field were TypeErrors without a code', async () => {
+  const report = await quote(dxf(square(0, 0, 100), circle(50, 50, 10)), { moves: 10, seed: 1 });
+  const drawing = dxf(square(0, 0, 100), circle(50, 50, 10));
+  const without = (field) => Object.fromEntries(Object.entries(report).filter(([name]) => name !== field));
+  for (const field of ['placement', 'input', 'options', 'machine', 'setting', 'method', 'parameters', 'workers', 'material', 'checks']) {
+    for (const [given, said] of [[without(field), `The report lacks the field "${field}".`], [{ ...report, [field]: 5 }, `The report's field "${field}" is not as in a report of a quote.`]]) {
+      if (field === 'workers' && given.workers === 5) continue;
+      const error = await verifyQuote(drawing, given).then(() => assert.fail(field), (e) => e);
+      assert.deepEqual([error.code, error.params?.field, error.message], ['not-a-quote', `report.${field}`, said]);
+    }
+  }
+  for (const field of ['input', 'hash', 'part_count', 'times', 'net_area', 'weight', 'parts']) {
+    assert.throws(() => basket([{ report: without(field) }]), (e) => e.code === 'not-a-quote' && e.params.field === `items[0].report.${field}`, field);
+    assert.throws(() => priceBreaks(without(field), [1]), (e) => e.code === 'not-a-quote' && e.params.field === `report.${field}`, field);
+  }
+  for (const [call, code] of [
+    [() => basket([{ report: { schema: 'kerfway.quote/2' } }]), 'not-a-quote'], [() => basket([null]), 'wrong-type'], [() => basket([], null), 'wrong-type'],
+    [() => priceBreaks(report, [1], null), 'wrong-type'], [() => priceBreaks(report, [1], { stok: {} }), 'unknown-field'],
+  ]) assert.throws(call, (e) => isKerfwayError(e) && e.code === code, String(call));
 });
 
 describe('baskets and price breaks', () => {
@@ -104,6 +130,21 @@ describe('baskets and price breaks', () => {
 });
 
 describe('the estimate of sheets', () => {
+  it('looked through all shelves again for each of many equal boxes', () => {
+    const stock = { width: 3000, height: 1500 };
+    // The same part at another place has other last digits.
+    const boxes = Array.from({ length: 20_000 }, (_, k) => ({ width: (30 + k) - k + (k % 3) * 1e-12, height: 30, count: 10_000 }));
+    const begun = performance.now();
+    const { count, covered } = sheetsFor(boxes, stock);
+    assert.ok(performance.now() - begun < 10_000, 'an hour before');
+    // 85 boxes of 30 mm with gaps of 5 beside each other in 2980 mm, 42 above each other in 1480.
+    assert.equal(count, Math.ceil(2e8 / (85 * 42)));
+    assert.ok(Math.abs(covered - (2e8 * 900) / (count * 3000 * 1500)) < 1e-9);
+    const apart = [{ width: 50, height: 40, count: 3 }, { width: 20, height: 10, count: 7 }, { width: 40, height: 50, count: 4 }, { width: 20, height: 10, count: 500 }];
+    const together = [{ width: 50, height: 40, count: 7 }, { width: 20, height: 10, count: 507 }];
+    assert.deepEqual(sheetsFor(apart, { width: 200, height: 150 }), sheetsFor(together, { width: 200, height: 150 }));
+  });
+
   it('puts no box over another or over the edge, whatever the boxes are', () => {
     // The shelves are checked by their areas: no sheet may hold more than it has.
     let seed = 1;

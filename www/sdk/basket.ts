@@ -3,6 +3,7 @@
 import { check, checkOne, optional, type Range, type Shape } from './check.js';
 import { KerfwayError } from './errors.js';
 import type { Quote } from './quote.js';
+import { ADDED, checkReport, isRecord } from './read-report.js';
 import { sheetsFor, type SheetEstimate, type Stock } from './sheets.js';
 
 /** A drawing of a basket: its report, and how many times it is ordered. */
@@ -59,6 +60,8 @@ const STOCK: Shape = {
     optional('gap', { number: EDGE }), optional('margin', { number: EDGE }),
   ],
 };
+/** The stock is checked by its own table, whose sentences name it. */
+const OPTIONS: Shape = { owner: 'A basket', item: 'option', value: 'The option', fields: [optional('stock', 'any')] };
 const COUNT: Range = { least: 1, most: 1e6, or_zero: false, unit: '', why: 'it is a number of copies' };
 
 /** Throws a `KerfwayError` unless this is a number of copies. */
@@ -69,16 +72,26 @@ export function checkQuantity(field: string, quantity: unknown): number {
   });
 }
 
+/** The sheets in stock of the options, checked. */
+function stockOf(options: BasketOptions): Stock | undefined {
+  check(OPTIONS, options);
+  if (options.stock !== undefined) checkStock(options.stock);
+  return options.stock;
+}
+
 /** Throws a `KerfwayError` unless these are sheets. */
 export function checkStock(stock: unknown): void {
   check(STOCK, stock);
 }
 
 /** Adds up several reports, each multiplied by its quantity. Every figure comes from the reports; only the number of sheets is estimated. */
-export function basket(items: readonly BasketItem[], { stock }: BasketOptions = {}): BasketReport {
-  if (stock !== undefined) checkStock(stock);
+export function basket(items: readonly BasketItem[], options: BasketOptions = {}): BasketReport {
+  const stock = stockOf(options);
   checkOne('The field', 'items', { list: 'any' }, items);
-  const lines = items.map(({ report, quantity = 1 }, k) => lineOf(checkReport(report, `items[${k}].report`), checkQuantity(`items[${k}].quantity`, quantity)));
+  const lines = items.map((item: unknown, k) => {
+    if (!isRecord(item)) throw new KerfwayError('wrong-type', `The field "items[${k}]" is no object. Give an object with a report and a quantity.`, { field: `items[${k}]` });
+    return lineOf(checkReport(item['report'], `items[${k}].report`, ADDED), checkQuantity(`items[${k}].quantity`, item['quantity'] === undefined ? 1 : item['quantity']));
+  });
   const weights = lines.map((l) => l.weight);
   return {
     schema: 'kerfway.basket/1',
@@ -92,9 +105,9 @@ export function basket(items: readonly BasketItem[], { stock }: BasketOptions = 
 }
 
 /** Seconds, weight and sheets of several quantities of one drawing, for prices that fall with the quantity. */
-export function priceBreaks(report: Quote, quantities: readonly number[], { stock }: BasketOptions = {}): PriceBreak[] {
-  if (stock !== undefined) checkStock(stock);
-  checkReport(report, 'report');
+export function priceBreaks(report: Quote, quantities: readonly number[], options: BasketOptions = {}): PriceBreak[] {
+  const stock = stockOf(options);
+  checkReport(report, 'report', ADDED);
   checkOne('The field', 'quantities', { list: 'any' }, quantities);
   return quantities.map((quantity, k) => {
     const line = lineOf(report, checkQuantity(`quantities[${k}]`, quantity));
@@ -124,13 +137,4 @@ function boxesOf(report: Quote, quantity: number): { width: number; height: numb
 
 function sum<T>(list: readonly T[], of: (item: T) => number): number {
   return list.reduce((total, item) => total + of(item), 0);
-}
-
-/** Throws a `KerfwayError` unless this is a report of a version that can be read. */
-export function checkReport(report: unknown, field: string): Quote {
-  const schema = typeof report === 'object' && report !== null ? (report as Partial<Quote>).schema : undefined;
-  if (schema === 'kerfway.quote/2') return report as Quote;
-  const version = typeof schema === 'string' && /^kerfway\.quote\/\d{1,3}$/.test(schema);
-  const sentence = version ? `The report is of the version ${schema}; this Kerfway reads kerfway.quote/2. Make the quote again.` : 'This is no report of a quote (kerfway.quote/2).';
-  throw new KerfwayError('not-a-quote', sentence, { field });
 }

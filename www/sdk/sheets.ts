@@ -56,7 +56,7 @@ export function sheetsFor(boxes: readonly Boxes[], stock: Stock): SheetEstimate 
   let tooLarge = 0;
   let area = 0;
   const laid = boxes.flatMap(({ width: a, height: b, count }) => {
-    const [long, short] = [Math.max(a, b), Math.min(a, b)];
+    const [long, short] = [exact(Math.max(a, b)), exact(Math.min(a, b))];
     const lying = fits(long, short);
     if (!lying && !fits(short, long)) {
       tooLarge += count;
@@ -66,10 +66,11 @@ export function sheetsFor(boxes: readonly Boxes[], stock: Stock): SheetEstimate 
     return [lying ? { width: long, height: short, count } : { width: short, height: long, count }];
   });
   laid.sort((a, b) => b.height - a.height || b.width - a.width);
+  const kinds = merged(laid);
   const shelves: Shelf[] = [];
   /** Height that is left on each sheet. */
   const sheets: number[] = [];
-  for (const box of laid) {
+  for (const box of kinds) {
     let left = box.count;
     const [w, h] = [box.width + gap, box.height + gap];
     const put = (shelf: Shelf) => {
@@ -98,4 +99,18 @@ export function sheetsFor(boxes: readonly Boxes[], stock: Stock): SheetEstimate 
   const count = sheets.length;
   const covered = count === 0 ? 0 : area / (count * width * height);
   return { count, covered, too_large: tooLarge, estimate: true, stock: { width, height, gap, margin } };
+}
+
+/** A length without the last digits, in which the same part differs from place to place. */
+const exact = (length: number) => Math.round(length * 1e6) / 1e6;
+
+/** Sorted boxes with equal ones together: shelves are looked through once for each kind of box. */
+function merged(sorted: readonly Boxes[]): Boxes[] {
+  const kinds: Boxes[] = [];
+  for (const box of sorted) {
+    const last = kinds.at(-1);
+    if (last?.width === box.width && last.height === box.height) last.count += box.count;
+    else kinds.push({ ...box });
+  }
+  return kinds;
 }

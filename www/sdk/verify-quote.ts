@@ -1,12 +1,12 @@
 /** Confirms the report of a quote: plans the drawing again as the report says, and compares. */
 
-import { checkReport } from './basket.js';
 import { KerfwayError } from './errors.js';
 import { SHAPES } from './fields.js';
 import type { PlanningOptions } from './options.js';
 import type { Loaded, LoadOptions, PlanOptions } from './protocol.js';
 import type { Quote, QuoteTerms } from './quote.js';
 import { quoteBudget } from './quote-budget.js';
+import { checkReport, isRecord, PLANNED } from './read-report.js';
 
 /** The result of `verifyQuote`. */
 export interface Verification {
@@ -18,8 +18,10 @@ export interface Verification {
   report: Quote | null;
 }
 
-/** A report may ask for this many times the moves that a quote takes by default. More would let a sender keep the server busy. */
+/** A report may ask for this many times the moves that a quote takes by default, of all its workers together. More would let a sender keep the server busy. */
 const MOST = 10;
+/** Each worker takes a thread and the memory of a planner. */
+const MOST_WORKERS = 16;
 
 /** How a report says that its drawing was read. The document has names in snake case and values for what was not given. */
 export function readingOf(report: Quote): LoadOptions {
@@ -44,8 +46,12 @@ function renamed(object: Record<string, unknown>): [string, unknown][] {
 /** How a report says that its drawing was planned. */
 export function planningOf(report: Quote, loaded: Loaded): PlanOptions {
   const { machine, method, seed, moves, workers, parameters, setting } = report;
-  const most = MOST * (quoteBudget(loaded).moves ?? 0) * (workers ?? 1);
-  if (!(Number.isSafeInteger(moves) && moves >= 0 && moves * (workers ?? 1) <= most)) {
+  if (workers !== null && !(workers >= 1 && workers <= MOST_WORKERS)) {
+    throw new KerfwayError('out-of-range', `The report's field "workers" is ${String(workers)}. Reports of up to ${MOST_WORKERS} are verified.`, { field: 'workers', value: String(workers), least: 1, most: MOST_WORKERS });
+  }
+  // Each worker makes this number of moves.
+  const most = Math.floor((MOST * (quoteBudget(loaded).moves ?? 0)) / (workers ?? 1));
+  if (!(Number.isSafeInteger(moves) && moves >= 0 && moves <= most)) {
     throw new KerfwayError('out-of-range', `The report's field "moves" is ${String(moves)}. Up to ${most} are verified for this drawing.`, { field: 'moves', value: String(moves), least: 0, most });
   }
   const { placement } = report;
@@ -78,8 +84,7 @@ export function compared(report: Quote, again: Quote): Verification {
 
 /** The options with which the report is made again. */
 export function optionsOf(report: unknown): { quote: Quote; reading: LoadOptions } {
-  const quote = checkReport(report, 'report');
-  record(quote.input, 'input');
+  const quote = checkReport(report, 'report', PLANNED);
   return { quote, reading: readingOf(quote) };
 }
 
@@ -91,7 +96,7 @@ function canonical(value: unknown): string {
 }
 
 function record(value: unknown, field: string): Record<string, unknown> {
-  if (typeof value === 'object' && value !== null && !Array.isArray(value)) return value as Record<string, unknown>;
+  if (isRecord(value)) return value;
   throw new KerfwayError('not-a-quote', `The report lacks the field "${field}".`, { field });
 }
 
