@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { describe, it } from 'node:test';
+import { setTimeout as wait } from 'node:timers/promises';
 import { Worker } from 'node:worker_threads';
 import { createPool } from 'kerfway';
 import { Planner } from '../../dist/sdk/planner.js';
@@ -215,4 +216,29 @@ it('a hundred files take no more memory than ten', async (t) => {
   const grown = (process.memoryUsage().rss - before) / 1e6;
   // A planner for each file that is never released would take about 300 MB.
   assert.ok(grown < 60, `${grown.toFixed(0)} MB more`);
+});
+
+it('a call that was aborted just as its turn came kept its place for ever', async () => {
+  // A planner whose checks end when the test says so.
+  for (let ticks = 0; ticks < 12; ticks += 1) {
+    const running = [];
+    const pool = poolOf(async () => ({ replaced: null, close() {}, check: () => new Promise((resolve) => running.push(resolve)) }), 1, 1);
+    const first = pool.check('x');
+    await wait(1);
+    const control = new AbortController();
+    const second = pool.check('y', { signal: control.signal }).catch((error) => error.name);
+    await wait(1);
+    running[0]('done');
+    let later = Promise.resolve();
+    for (let k = 0; k < ticks; k += 1) later = later.then(() => {});
+    later.then(() => control.abort());
+    assert.equal(await first, 'done');
+    assert.equal(await second, 'AbortError');
+    const third = pool.check('z');
+    await wait(1);
+    assert.equal(pool.waiting, 0, `aborted after ${ticks} ticks`);
+    running.at(-1)('third');
+    assert.equal(await third, 'third');
+    pool.close();
+  }
 });

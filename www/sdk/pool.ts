@@ -48,6 +48,7 @@ const TRIES = 2;
 
 /** A call that waits for its turn. */
 interface QueuedCall {
+  started: boolean;
   start: () => void;
   reject: (error: Error) => void;
 }
@@ -112,9 +113,7 @@ class PlannerQueue {
       throw this.closed ? new ClosedError(CLOSED) : error;
     } finally {
       clear();
-      this.working -= 1;
-      this.queue.shift()?.start();
-      this.notify();
+      this.endTurn();
     }
   };
 
@@ -133,11 +132,12 @@ class PlannerQueue {
       this.working += 1;
       return;
     }
-    const call: QueuedCall = { start: () => {}, reject: () => {} };
+    const call: QueuedCall = { started: false, start: () => {}, reject: () => {} };
     const started = new Promise<void>((resolve, reject) => {
       call.start = () => {
         // Counted here and not after the promise has resolved: no other call may come in between.
         this.working += 1;
+        call.started = true;
         resolve();
       };
       call.reject = reject;
@@ -146,14 +146,25 @@ class PlannerQueue {
     try {
       await abortable(started, signal);
     } catch (error) {
-      this.leaveQueue(call);
+      this.leave(call);
       throw error;
     }
   }
 
-  private leaveQueue(call: QueuedCall): void {
+  /** A call that ends before its work begins. Its turn may have come just before it was aborted; then the next call gets its place. */
+  private leave(call: QueuedCall): void {
     const index = this.queue.indexOf(call);
-    if (index >= 0) this.queue.splice(index, 1);
+    if (index >= 0) {
+      this.queue.splice(index, 1);
+      this.notify();
+    } else if (call.started) {
+      this.endTurn();
+    }
+  }
+
+  private endTurn(): void {
+    this.working -= 1;
+    this.queue.shift()?.start();
     this.notify();
   }
 
