@@ -79,6 +79,12 @@ describe('several drawings', () => {
     assert.deepEqual([one.code, JSON.parse(one.stdout).error.code], [1, 'unreadable-file']);
   });
 
+  it('a pattern whose range runs backwards was a stack trace', async (t) => {
+    const { code, stderr } = await kerfway('inspect', join(folder(t), 'plate[3-1].dxf'));
+    assert.equal(code, 1);
+    assert.match(stderr, /^kerfway: No file matches the pattern \S+plate\[3-1\]\.dxf\.\n$/);
+  });
+
   it('the batch ended when the reader of standard error had gone', { skip: process.platform === 'win32' && 'pipes end otherwise there' }, async (t) => {
     const at = folder(t);
     writeFileSync(join(at, 'b.dxf'), dxf(square(0, 0, 10)));

@@ -23,6 +23,13 @@ async function planned() {
 }
 
 describe('a project', () => {
+  it('was a file of NaN MB as a Blob', async () => {
+    const written = await writeProject(await planned());
+    const read = await readProject(new Blob([written]));
+    assert.deepEqual([read.name, [...read.drawing]], ['plate.dxf', [...PLATE]]);
+    for (const none of ['text', undefined, {}]) await assert.rejects(readProject(none), (error) => error.code === 'not-bytes');
+  });
+
   it('is read as it was written', async () => {
     const project = await planned();
     const bytes = text(await writeProject(project));

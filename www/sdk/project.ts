@@ -6,6 +6,7 @@
  */
 
 import { base64 } from './base64.js';
+import { readBytes, type Bytes } from './bytes.js';
 import { KerfwayError } from './errors.js';
 import { checkOptions } from './options.js';
 import { asJson, withWarmPath } from './plain-data.js';
@@ -63,7 +64,8 @@ export function isProject(bytes: ArrayBuffer | Uint8Array): boolean {
  * Reads a project file. Throws a `KerfwayError` with one sentence if something in it is missing, of another type or out of
  * range. Whether the plan fits the drawing is checked when it is used.
  */
-export async function readProject(bytes: ArrayBuffer | Uint8Array): Promise<Project> {
+export async function readProject(file: Bytes): Promise<Project> {
+  const { bytes } = await readBytes(file);
   checkSize(bytes.byteLength);
   const { schema, name, reading, planning, plan, drawing } = parsed(bytes);
   if (schema !== SCHEMA) throw unusable(`it is of the kind ${String(schema)}, and this version reads ${SCHEMA}`);

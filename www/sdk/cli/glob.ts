@@ -7,6 +7,7 @@ import { existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 
 const MAGIC = /[*?[]/;
+const NOTHING = /(?!)/;
 
 /** Whether a word may be a pattern. A file may have such a name too. */
 export const isPattern = (word: string): boolean => MAGIC.test(word);
@@ -62,5 +63,10 @@ function expressionOf(name: string): RegExp {
     if (part === '?') return '.';
     return part.replace(/^\[!/, '[^').replaceAll('\\', '\\\\');
   });
-  return new RegExp(`^${parts.join('')}$`);
+  try {
+    return new RegExp(`^${parts.join('')}$`);
+  } catch {
+    // A range that runs backwards, as in [3-1], has no characters.
+    return NOTHING;
+  }
 }
