@@ -17,22 +17,22 @@ export async function serve(args: string[]): Promise<void> {
   const settings = await settingsOf(parsedOptions('serve', args));
   const backend = settings.queue === null ? poolBackend(settings) : await started(queueBackend(settings.queue, settings, jsonLog));
   const service = await started(serving(settings, backend, await packageVersion(), jsonLog));
-  process.stdout.write(`Kerfway listens on ${service.url}\n`);
-  await untilStopped(() => service.stop());
+  await untilStopped(`Kerfway listens on ${service.url}`, () => service.stop());
 }
 
 export async function work(args: string[]): Promise<void> {
   const settings = await settingsOf(parsedOptions('work', args));
   if (settings.queue === null) throw new WrongUse('Say where the queue is: --queue redis://HOST:6379.');
   const worker = await started(queueWorker(settings.queue, settings, jsonLog));
-  process.stdout.write('Kerfway takes jobs from the queue\n');
-  await untilStopped(() => worker.stop());
+  await untilStopped('Kerfway takes jobs from the queue', () => worker.stop());
 }
 
-/** Waits for the signal to stop. A second one ends the process at once. */
-async function untilStopped(stop: () => Promise<void>): Promise<void> {
+/** Prints the sentence that it runs, and waits for the signal to stop. A second one ends the process at once. */
+async function untilStopped(sentence: string, stop: () => Promise<void>): Promise<void> {
   await new Promise<void>((resolve) => {
     for (const signal of ['SIGINT', 'SIGTERM'] as const) process.once(signal, () => resolve());
+    // Whoever reads the sentence may send the signal at once.
+    process.stdout.write(`${sentence}\n`);
   });
   process.once('SIGINT', () => process.exit(130));
   await stop();
