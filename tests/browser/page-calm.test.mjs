@@ -114,6 +114,7 @@ test('on a phone every target is at least 44 pixels high and wide', async (t) =>
   assert.deepEqual(await small(), [], 'with the card');
   await page.keyboard.press('Escape');
   await page.keyboard.press('t');
+  await page.locator('.order-row').nth(1).waitFor();
   assert.deepEqual(await small(), [], 'with the table');
   await page.keyboard.press('t');
   await tap(page.locator('.sheet-toggle'));

@@ -50,6 +50,7 @@ for (const [name, size] of Object.entries(SIZES)) {
     await keep('playback');
     await page.keyboard.press('c');
     await page.keyboard.press('t');
+    await page.locator('.order-row').nth(1).waitFor();
     await keep('table');
     await page.keyboard.press('t');
     await page.keyboard.press('?');

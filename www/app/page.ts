@@ -60,7 +60,7 @@ export async function startPage(): Promise<void> {
   const notify = (sentence: string) => notices.show(sentence);
 
   const files = new Files(session, notices, shared.load, () => layout.hideHint());
-  const selection = new Selection(session, playback, scene, announcer, () => layout.toggleTable(false));
+  const selection = new Selection(session, playback, scene, announcer, () => layout.toggleTable(false), () => layout.update());
   const tools = toolbar(viewport, { ramp: (on) => scene.setView({ colors: on ? 'order' : 'plain' }), layers: (on) => scene.setView({ colors: on ? 'layers' : 'plain' }), air: (on) => scene.setView({ air: on }), measure: (on) => void pointer.measure(on), several: (on) => {
     selection.several = on;
     canvas.classList.toggle('selecting', on);

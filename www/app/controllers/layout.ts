@@ -1,6 +1,6 @@
 /** What is open and how large it is: the panel, the bottom sheet of a phone, the table. The sheet is fitted into what they leave free. */
 
-import type { OrderTable } from '../panels/table.js';
+import type { TableDrawer } from '../panels/table-drawer.js';
 import type { Viewport } from '../stage/viewport.js';
 
 /** Pixels around the fitted sheet. */
@@ -12,7 +12,7 @@ interface Parts {
   stage: HTMLElement;
   hint: HTMLElement;
   toolbar: HTMLElement;
-  table: OrderTable;
+  table: TableDrawer;
   /** The card of what is selected. */
   card: HTMLElement;
   /** The buttons that open and close the table and the panel. */

@@ -5,7 +5,7 @@ import type { Announcer } from '../core/announce.js';
 import { count } from '../core/format.js';
 import { words } from '../core/words/index.js';
 import { ContourCard, describe } from '../panels/contour.js';
-import { OrderTable } from '../panels/table.js';
+import { TableDrawer } from '../panels/table-drawer.js';
 import type { Playback } from '../playback/playback.js';
 import { partsOf } from '../session/parts.js';
 import { choosing, groupOf, withChoice, withGroup, withoutGroup } from '../session/groups.js';
@@ -15,7 +15,7 @@ import type { Scene } from '../stage/scene.js';
 
 export class Selection {
   readonly card: ContourCard;
-  readonly table: OrderTable;
+  readonly table: TableDrawer;
   /** The stop of the last step: a contour that is cut in several stretches has several stops. */
   private stop = 0;
   /** What is selected, in the order in which it was. */
@@ -25,14 +25,14 @@ export class Selection {
 
   constructor(
     private readonly session: Session, private readonly playback: Playback, private readonly scene: Scene,
-    private readonly announcer: Announcer, closeTable: () => void,
+    private readonly announcer: Announcer, closeTable: () => void, tableLoaded: () => void,
   ) {
     this.card = new ContourCard(session, playback, {
       toggleRule: (rule) => this.toggleSelected(rule), whole: () => this.selectWhole(), like: () => this.selectLike(), keepOrder: () => this.keepOrder(),
       group: () => this.toggleGroup(), choose: (what, value) => this.choose(what, value),
       step: (by) => this.stepBy(by), close: () => this.select(null),
     });
-    this.table = new OrderTable(session, playback, { select: (contour) => this.reveal(contour), shift: (contour, to) => this.shift(contour, to), close: closeTable });
+    this.table = new TableDrawer(session, playback, { select: (contour) => this.reveal(contour), shift: (contour, to) => this.shift(contour, to), close: closeTable, loaded: tableLoaded });
   }
 
   get contours(): readonly number[] {
