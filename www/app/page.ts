@@ -15,7 +15,6 @@ import { Theme } from './core/theme.js';
 import { dock } from './panels/dock.js';
 import { firstMachine } from './panels/first-machine.js';
 import { drawingPanel } from './panels/drawing.js';
-import { helpDialog } from './panels/help.js';
 import { machinePanel } from './panels/machine.js';
 import { placementPanel } from './panels/placement.js';
 import { planPanel } from './panels/plan.js';
@@ -34,6 +33,7 @@ import { Preview } from './session/preview.js';
 import { fetchSample, SAMPLES } from './session/samples.js';
 import { Session } from './session/session.js';
 import { translate } from './core/markup.js';
+import { messageOf } from './core/strings.js';
 import { words } from './core/words/index.js';
 import { ramp } from './stage/ramp.js';
 import { Scene } from './stage/scene.js';
@@ -55,7 +55,6 @@ export async function startPage(): Promise<void> {
   const canvas = element('canvas') as HTMLCanvasElement;
   const scene = new Scene(canvas, viewport, theme.current);
   const announcer = new Announcer(element('announcer'));
-  const help = helpDialog();
   const notices = new Notices();
   const notify = (sentence: string) => notices.show(sentence);
 
@@ -76,10 +75,11 @@ export async function startPage(): Promise<void> {
   };
   const top = topBar(session, files.queue, theme, {
     open: () => files.choose(), sample: (sample) => files.chooseSample(sample),
-    table: () => layout.toggleTable(), help: () => help.showModal(), panel: () => layout.togglePanel(), restart: () => void restart(),
+    table: () => layout.toggleTable(), help: () => help(), panel: () => layout.togglePanel(), restart: () => void restart(),
   });
   const layout = new Layout(viewport, { stage: element('stage'), hint: element('hint'), toolbar: tools.root, table: selection.table, card: selection.card.root, toggles: top.toggles });
 
+  const help = () => void import('./panels/help.js').then(({ showHelp }) => showHelp(), (error: unknown) => notify(messageOf(error)));
   const showPlaceOf = (finding: Finding) => {
     selection.showFinding(finding);
     if (!finding.at) return;
@@ -115,7 +115,6 @@ export async function startPage(): Promise<void> {
   dragSheet(document.querySelector('.dock-state')!, element('sections'), { open: () => document.body.classList.contains('sheet-open'), toggle: () => layout.toggleSheet() });
   element('playback').append(...playbackBar(playback));
   element('stage').append(tools.root, orders.root, tools.legend, selection.card.root, questionCard(session), notices.failure, selection.table.root, notices.notice, pointer.tooltip.root);
-  document.body.append(help);
 
   const showTheme = () => {
     scene.setTheme(theme.current);

@@ -22,7 +22,7 @@ interface Parts {
   layout: Layout;
   pointer: Pointer;
   selection: Selection;
-  help: HTMLDialogElement;
+  help: () => void;
   flip(what: keyof StageSwitches): void;
 }
 
@@ -46,7 +46,7 @@ export function bindKeyboard({ session, playback, viewport, files, layout, point
     b: () => flip('several'), u: () => selection.toggleGroup(), w: () => selection.selectWhole(), l: () => selection.selectLike(),
     'Ctrl+s': () => void files.saveProject(),
     'Ctrl+z': () => session.undo(), 'Ctrl+Shift+z': redo, 'Ctrl+y': redo,
-    '?': () => help.showModal(),
+    '?': help,
     Escape: () => {
       if (session.state.refused && session.state.loaded) session.store.refusalSeen();
       else if (pointer.measure(false)) flip('measure');

@@ -1,9 +1,16 @@
-/** The list of keys. */
+/** The list of keys, which is loaded when somebody asks for it. */
 
 import { button, h } from '../core/dom.js';
 import { words } from '../core/words/index.js';
 
-export function helpDialog(): HTMLDialogElement {
+let shown: HTMLDialogElement | null = null;
+
+export function showHelp(): void {
+  if (shown === null) document.body.append((shown = helpDialog()));
+  shown.showModal();
+}
+
+function helpDialog(): HTMLDialogElement {
   const dialog = h('dialog', { class: 'help', 'aria-labelledby': 'help-title' });
   dialog.append(
     h('div', { class: 'dialog-head' }, h('h2', { id: 'help-title' }, words.help.title), button(words.help.close, { icon: 'close', iconOnly: true, class: 'quiet', onclick: () => dialog.close() })),
