@@ -204,3 +204,63 @@ fn a_closed_polyline_a_few_micrometres_wide_is_cut_once() {
     let told = findings(&s, Code::SliverCollapsed);
     assert_eq!((told.len(), told[0].handle.as_deref(), told[0].at), (1, Some("100"), Some(p(100.0, 0.0))));
 }
+
+/// Items in an order that depends on a seed.
+fn shuffled<T>(mut items: Vec<T>, seed: u64) -> Vec<T> {
+    let mut state = seed;
+    for k in (1..items.len()).rev() {
+        state = state.wrapping_mul(0x5851_F42D_4C95_7F2D).wrapping_add(0x1405_7B7E_F767_814F);
+        items.swap(k, usize::try_from(state >> 33).unwrap() % (k + 1));
+    }
+    items
+}
+
+/// Whatever a tile has left when its neighbours are drawn first, it is not taken for a neighbour of the same size.
+#[test]
+fn equal_tiles_in_any_order_are_all_parts_with_their_holes() {
+    let squares: Vec<(Path, (f64, f64))> = (0..64)
+        .map(|k| (10.0 * f64::from(k % 8), 10.0 * f64::from(k / 8)))
+        .map(|(x, y)| (rect(x, y, 10.0, 10.0), (x + 5.0, y + 5.0)))
+        .collect();
+    let triangles: Vec<(Path, (f64, f64))> = (0..30)
+        .map(|k| (12.0 * f64::from(k % 6), 12.0 * f64::from(k / 6)))
+        .flat_map(|(x, y)| {
+            let (a, b, c, d) = ((x, y), (x + 12.0, y), (x + 12.0, y + 12.0), (x, y + 12.0));
+            [
+                (polyline(&[a, b, c], true), (x + 8.0, y + 4.0)),
+                (polyline(&[a, c, d], true), (x + 4.0, y + 8.0)),
+            ]
+        })
+        .collect();
+    let half = 5.0 * 3_f64.sqrt() / 2.0;
+    let hexagons: Vec<(Path, (f64, f64))> = (0..64)
+        .map(|k| (k % 8, k / 8))
+        .map(|(i, j)| (half * f64::from(2 * i + j % 2), 7.5 * f64::from(j)))
+        .map(|(x, y)| {
+            let corners = [(0.0, -5.0), (half, -2.5), (half, 2.5), (0.0, 5.0), (-half, 2.5), (-half, -2.5)];
+            (polyline(&corners.map(|(a, b)| (x + a, y + b)), true), (x, y))
+        })
+        .collect();
+    for (name, tiles) in [("squares", squares), ("triangles", triangles), ("hexagons", hexagons)] {
+        let area = tiles[0].0.area().abs();
+        let holes: Vec<Path> = tiles.iter().map(|(_, (x, y))| circle(*x, *y, 1.0)).collect();
+        let outlines: Vec<Path> = tiles.iter().map(|(outline, _)| outline.clone()).collect();
+        for seed in 0..12 {
+            let s = sheet(shuffled(outlines.clone(), seed).into_iter().chain(holes.clone()));
+            assert_eq!(s.parts.len(), tiles.len(), "{name}, seed {seed}");
+            assert!(s.parts.iter().all(|p| p.holes.len() == 1), "{name}, seed {seed}");
+            for part in &s.parts {
+                let own = s.contours[part.outer as usize].area;
+                assert!((own - area).abs() < 1e-6, "{name}, seed {seed}: {own} is not {area}");
+            }
+        }
+    }
+}
+
+/// The squares lie around the last one. What is left of one of them borders a neighbour of the same size.
+#[test]
+fn a_square_with_one_side_left_is_a_part() {
+    let corners = [(70, 60), (60, 50), (50, 60), (60, 60), (50, 70), (70, 70), (60, 80), (60, 70)];
+    let squares = corners.map(|(x, y)| rect(f64::from(x), f64::from(y), 10.0, 10.0));
+    has_areas(&sheet(squares), &[100.0; 8]);
+}

@@ -3,7 +3,7 @@
 use super::graph::{Face, Graph, HalfEdge};
 use super::joined::{Joined, Role};
 use super::shapes::{Fate, Known, alike};
-use crate::geometry::{Path, Segment};
+use crate::geometry::{Path, Segment, winding};
 use crate::order::sort_by;
 use crate::sheet::assemble::close::meet;
 use crate::sheet::element::{Chain, Chains, Element, ROUNDING, with_start};
@@ -54,6 +54,9 @@ pub(super) fn made(
     Some(out)
 }
 
+/// Number of faces that are asked for an edge so that another one gets one. Real drawings need a few.
+const MOST_ASKED: usize = 250;
+
 /// The face that each edge is cut with.
 struct Owners<'a> {
     joined: &'a Joined<'a>,
@@ -66,6 +69,8 @@ struct Owners<'a> {
     replaced: Vec<bool>,
     /// The faces that become contours, in drawing order.
     order: Vec<usize>,
+    /// For each chain, the closed shape that it belongs to.
+    known_of: Vec<Option<usize>>,
     /// For each face, the closed shape that it is.
     shape: Vec<Option<usize>>,
 }
@@ -74,7 +79,9 @@ impl<'a> Owners<'a> {
     fn new(joined: &'a Joined, graph: &'a Graph, faces: &'a [Face], known: &'a [Known]) -> Self {
         let mut replaced = vec![false; joined.roles.len()];
         let mut shape = vec![None; faces.len()];
+        let mut known_of = vec![None; joined.roles.len()];
         for (k, known) in known.iter().enumerate() {
+            known.chains.iter().for_each(|&c| known_of[c as usize] = Some(k));
             match known.fate {
                 Fate::Is(face) => shape[face] = Some(k),
                 Fate::Divided => known.chains.iter().for_each(|&c| replaced[c as usize] = true),
@@ -82,7 +89,7 @@ impl<'a> Owners<'a> {
             }
         }
         let of = vec![None; graph.edges.len()];
-        Self { joined, graph, faces, known, of, replaced, order: Vec::new(), shape }
+        Self { joined, graph, faces, known, of, replaced, order: Vec::new(), known_of, shape }
     }
 
     fn edges(&self, face: usize) -> impl Iterator<Item = usize> + use<'a> {
@@ -152,7 +159,9 @@ impl<'a> Owners<'a> {
                 let segments = self.edges(*f).flat_map(|e| &self.graph.edges[e].elements);
                 let around = segments.fold(crate::geometry::Aabb::EMPTY, |b, e| b.union(e.segment.bounds()));
                 let face = (around, self.faces[*f].area);
+                let inner = || self.graph.inner_point(&self.faces[*f]);
                 alike(face, (bounds, area), outline.length(), tolerance.max(ROUNDING))
+                    && inner().is_none_or(|p| winding(outline, p).is_inside())
             };
             let found = (0..self.faces.len()).find(same);
             if let Some(f) = found.filter(|f| self.shape[*f].is_none() && !self.order.contains(f))
@@ -163,31 +172,61 @@ impl<'a> Owners<'a> {
         }
     }
 
-    /// Gives a face its longest edge from a neighbour that keeps at least one other.
+    /// Gives a face its longest edge from a neighbour that keeps at least one other. If every neighbour has only one,
+    /// they get another one from theirs first. This is an augmenting path, as in a bipartite matching of faces and edges.
     fn take_back(&mut self, face: usize) -> bool {
-        let mut edges: Vec<usize> = self.edges(face).collect();
-        sort_by(&mut edges, |&e| [!crate::order::real(self.graph.edges[e].length), e as u64, 0]);
-        for e in edges {
-            let chain = self.graph.edges[e].chain;
-            let owner = match self.of[e] {
-                Some(f) => f,
-                None => {
-                    let shape = self.known.iter().position(|k| k.chains.contains(&chain));
-                    let Some((k, Fate::Is(f))) = shape.map(|k| (k, self.known[k].fate)) else { continue };
-                    if self.known[k].edges.len() < 2 {
-                        continue;
-                    }
-                    self.replace(k, f);
-                    f
+        // Faces that lack an edge if the one before them gets one: the position of that one, and the edge.
+        let mut asked = vec![Asked { face, by: 0, edge: 0 }];
+        let mut at = 0;
+        while let Some(&Asked { face, .. }) = asked.get(at).filter(|_| at < MOST_ASKED) {
+            let mut edges: Vec<usize> = self.edges(face).collect();
+            sort_by(&mut edges, |&e| [!crate::order::real(self.graph.edges[e].length), e as u64, 0]);
+            for edge in edges {
+                let Some(owner) = self.owner(edge) else { continue };
+                if asked.iter().any(|a| a.face == owner) {
+                    continue;
                 }
-            };
-            if self.edges(owner).filter(|&e| self.of[e] == Some(owner)).count() > 1 {
-                self.of[e] = Some(face);
-                return true;
+                asked.push(Asked { face: owner, by: at, edge });
+                if self.edges(owner).filter(|&e| self.owner(e) == Some(owner)).count() > 1 {
+                    self.pass_on(&asked);
+                    return true;
+                }
             }
+            at += 1;
         }
         false
     }
+
+    /// The face that an edge is cut with, also if that is a closed shape as drawn.
+    fn owner(&self, edge: usize) -> Option<usize> {
+        self.of[edge].or_else(|| {
+            let known = self.known_of[self.graph.edges[edge].chain as usize]?;
+            if let Fate::Is(face) = self.known[known].fate { Some(face) } else { None }
+        })
+    }
+
+    /// Passes an edge of the last face on to the one that asked for it, and so on to the first.
+    fn pass_on(&mut self, asked: &[Asked]) {
+        let mut passed = Vec::new();
+        let mut at = asked.len() - 1;
+        while at > 0 {
+            let Asked { face, by, edge } = asked[at];
+            if let Some(shape) = self.shape[face] {
+                self.replace(shape, face);
+            }
+            passed.push((edge, asked[by].face));
+            at = by;
+        }
+        passed.into_iter().for_each(|(edge, taker)| self.of[edge] = Some(taker));
+    }
+}
+
+/// A face that is asked for an edge, see [`Owners::take_back`].
+#[derive(Clone, Copy)]
+struct Asked {
+    face: usize,
+    by: usize,
+    edge: usize,
 }
 
 fn open(rest_of: Option<u32>) -> Chain {

@@ -2,7 +2,7 @@
 
 use super::graph::{Face, Graph};
 use super::joined::{Joined, Role};
-use crate::geometry::{Aabb, DVec2, Path, Segment, winding};
+use crate::geometry::{Aabb, DVec2, Path, Segment, interior_point, winding};
 use crate::sheet::cluster::cluster;
 use crate::sheet::element::{Element, ROUNDING};
 
@@ -64,7 +64,7 @@ pub(super) fn known(joined: &Joined, graph: &Graph, faces: &[Face]) -> Vec<Known
         let edges: Vec<usize> = chains.iter().flat_map(|&c| graph.of(c)).collect();
         let outline = outline(joined, role, &chains);
         let slack = joined.tolerance.max(ROUNDING) * outline.length();
-        let fate = match face_of(faces, &side, &edges, &outline, slack) {
+        let fate = match face_of(graph, faces, &side, &edges, &outline, slack) {
             Some(face) => Fate::Is(face),
             None => {
                 if inner.is_empty() {
@@ -82,12 +82,23 @@ pub(super) fn known(joined: &Joined, graph: &Graph, faces: &[Face]) -> Vec<Known
     chains_of.into_iter().map(&mut known).collect()
 }
 
-/// The face that an outline with these edges bounds alone.
-fn face_of(faces: &[Face], side: &[usize], edges: &[usize], outline: &Path, slack: f64) -> Option<usize> {
+/// The face that an outline with these edges bounds alone. Its area and edges do not suffice: all that is left of a
+/// square can lie between it and a neighbour of the same size. A point in the face decides on which side it is.
+fn face_of(
+    graph: &Graph,
+    faces: &[Face],
+    side: &[usize],
+    edges: &[usize],
+    outline: &Path,
+    slack: f64,
+) -> Option<usize> {
     let area = outline.area().abs();
     let is = |f: usize| {
-        faces.get(f).is_some_and(|face| (face.area - area).abs() <= slack)
-            && edges.iter().all(|&e| side[2 * e] == f || side[2 * e + 1] == f)
+        faces.get(f).is_some_and(|face| {
+            (face.area - area).abs() <= slack
+                && edges.iter().all(|&e| side[2 * e] == f || side[2 * e + 1] == f)
+                && graph.inner_point(face).is_none_or(|p| winding(outline, p).is_inside())
+        })
     };
     let &first = edges.first()?;
     [side[2 * first], side[2 * first + 1]].into_iter().find(|&f| is(f))
@@ -160,21 +171,25 @@ pub(super) fn covered(joined: &Joined) -> Vec<Path> {
         .collect();
     let tolerance = joined.tolerance.max(ROUNDING);
     let lost: Vec<Path> = covered.iter().map(|e| path(e)).collect();
-    let corner = |p: &Path| p.bounds().min;
-    let corners: Vec<DVec2> = whole.iter().chain(&lost).map(corner).collect();
+    let all: Vec<&Path> = whole.iter().chain(&lost).collect();
+    let corners: Vec<DVec2> = all.iter().map(|p| p.bounds().min).collect();
     let at = cluster(&corners, 2.0 * tolerance);
-    let mut seen: rustc_hash::FxHashMap<i64, Vec<(Aabb, f64)>> = rustc_hash::FxHashMap::default();
+    let mut seen: rustc_hash::FxHashMap<i64, Vec<&Path>> = rustc_hash::FxHashMap::default();
     let mut out = Vec::new();
-    for (k, p) in whole.into_iter().chain(lost).enumerate() {
-        let (bounds, area) = (p.bounds(), p.area().abs());
+    for (k, p) in all.into_iter().enumerate() {
+        let size = (p.bounds(), p.area().abs());
         let here = seen.entry(at[k].into()).or_default();
-        let same = |(b, a): &(Aabb, f64)| alike((*b, *a), (bounds, area), p.length(), tolerance);
+        // The two triangles of a halved square have the same box and area, so a point inside tells them apart.
+        let same = |q: &&Path| {
+            alike((q.bounds(), q.area().abs()), size, p.length(), tolerance)
+                && interior_point(q).is_none_or(|inner| winding(p, inner).is_inside())
+        };
         let known = here.iter().any(same);
         if !known {
-            here.push((bounds, area));
+            here.push(p);
         }
         if !known && k >= corners.len() - covered.len() {
-            out.push(p);
+            out.push(p.clone());
         }
     }
     out
