@@ -5,6 +5,7 @@
 
 use super::xml::Document;
 use rustc_hash::FxHashMap;
+use std::borrow::Cow;
 
 /// Largest number of rules that are read. Illustrator writes one for each style, some hundreds at most.
 const MOST_RULES: usize = 20_000;
@@ -17,7 +18,34 @@ pub(super) struct Declaration<'s> {
     pub(super) important: bool,
 }
 
-/// The declarations of a text without braces, in order.
+/// The text of a style sheet or of a `style` attribute without its comments. Those in quotes are none.
+pub(super) fn without_comments(text: &str) -> Cow<'_, str> {
+    if !text.contains("/*") {
+        return Cow::Borrowed(text);
+    }
+    let mut kept = String::with_capacity(text.len());
+    let mut quote = None;
+    let mut rest = text;
+    while let Some(next) = rest.chars().next() {
+        if let (None, Some(comment)) = (quote, rest.strip_prefix("/*")) {
+            // A comment that does not end goes on to the end of the text.
+            rest = comment.split_once("*/").map_or("", |(_, after)| after);
+            continue;
+        }
+        quote = match (quote, next) {
+            (None, '"' | '\'') => Some(next),
+            // A line break ends a text in quotes, as in browsers.
+            (Some(_), '\n') => None,
+            (Some(open), _) if open == next => None,
+            (open, _) => open,
+        };
+        kept.push(next);
+        rest = rest.get(next.len_utf8()..).unwrap_or_default();
+    }
+    Cow::Owned(kept)
+}
+
+/// The declarations of a text without braces and comments, in order.
 pub(super) fn declarations(text: &str) -> impl Iterator<Item = Declaration<'_>> {
     text.split(';').filter_map(|part| {
         let (name, value) = part.split_once(':')?;
@@ -127,13 +155,13 @@ pub(super) struct StyleSheet<'s> {
 }
 
 impl<'s> StyleSheet<'s> {
-    /// Reads the rules of a text.
+    /// Reads the rules of a text without comments.
     pub(super) fn read(text: &'s str) -> Self {
         let mut sheet = Self::default();
         let mut rest = text;
         while let Some(start) = rest.find(['{', ';', '}']) {
             let (head, after) = rest.split_at(start);
-            let head = without_comments(head);
+            let head = without_marks(head);
             if !after.starts_with('{') {
                 // An `@import` or a stray sign.
                 sheet.not_understood += u32::from(head.starts_with('@') && !head.starts_with("@charset"));
@@ -200,16 +228,13 @@ impl<'s> StyleSheet<'s> {
         }
         found.sort_unstable_by_key(|&r| (self.rules[r].specificity, r));
         found.dedup();
-        found.into_iter().flat_map(|r| declarations(without_comments(self.rules[r].declarations))).collect()
+        found.into_iter().flat_map(|r| declarations(self.rules[r].declarations)).collect()
     }
 }
 
-/// The text after its last comment; before and between names there is nothing else to keep.
-fn without_comments(text: &str) -> &str {
-    let after = text.rfind("*/").and_then(|end| text.get(end + 2..)).unwrap_or(text);
-    let after = after.trim();
-    // The signs around a style sheet that hid it from old browsers.
-    after.trim_start_matches("<!--").trim_start_matches("-->").trim()
+/// A selector without the signs around a style sheet that hid it from old browsers.
+fn without_marks(text: &str) -> &str {
+    text.trim().trim_start_matches("<!--").trim_start_matches("-->").trim()
 }
 
 /// Position of the brace that closes the one at the start of the text, or the end of the text.
@@ -263,9 +288,24 @@ mod tests {
             "@import url(a.css); @media print{path{stroke:red}} a:hover{x:1} [id]{x:1} .a{x:1}",
         );
         assert_eq!((sheet.rules.len(), sheet.not_understood), (1, 4));
-        assert_eq!(StyleSheet::read("/* a{b:c} */ .a{x:1}").rules.len(), 1);
         for text in ["{", "}", "a{", "{}", "a{b", ",{x:1}", ";;", "@", "/*", "a>{x:1}"] {
             StyleSheet::read(text);
+        }
+    }
+
+    /// A comment took away all that came before it.
+    #[test]
+    fn comments_take_nothing_else_away() {
+        for (text, kept) in [
+            ("a{x:1;/* b */y:2}", "a{x:1;y:2}"),
+            (".a /* b */, .c /* d */{x:1}", ".a , .c {x:1}"),
+            ("/* a{b:c} */ .a{x:1}", " .a{x:1}"),
+            ("/***/a/*/b*/c", "ac"),
+            ("a{x:'/*'; y:\"*/\"}", "a{x:'/*'; y:\"*/\"}"),
+            ("a /* b", "a "),
+            ("\u{e4}/*\u{f6}*/\u{fc}", "\u{e4}\u{fc}"),
+        ] {
+            assert_eq!(without_comments(text), kept, "{text}");
         }
     }
 

@@ -4,7 +4,7 @@
 //! `!important`.
 
 use super::color::{self, Rgb};
-use super::css::{Declaration, StyleSheet, declarations};
+use super::css::{Declaration, StyleSheet, declarations, without_comments};
 use super::length::{Axis, Lengths};
 use super::numbers::Scanner;
 use super::xml::{Document, Space};
@@ -83,8 +83,8 @@ pub(super) fn resolve(
         cascade.apply(a.name, a.value.trim());
     }
     let rules = sheet.matching(document, element);
-    let inline: Vec<Declaration<'_>> =
-        document.attribute(element, "style").map(|s| declarations(s).collect()).unwrap_or_default();
+    let inline = without_comments(document.attribute(element, "style").unwrap_or_default());
+    let inline: Vec<Declaration<'_>> = declarations(&inline).collect();
     for important in [false, true] {
         for d in rules.iter().chain(&inline).filter(|d| d.important == important) {
             cascade.apply(d.name, d.value);

@@ -285,3 +285,15 @@ fn a_job_knows_the_format_by_its_content() {
     let error = Job::load(text.into(), "a.svg", &both).err().unwrap().to_string();
     assert!(error.contains("Choose one of them"), "{error}");
 }
+
+#[test]
+fn comments_in_styles_hide_nothing_else() {
+    let drawing = page(
+        "<style>.cut { stroke: #f00; /* red */ fill: none; } .eng /* blue */, .b /* too */ { fill: none; stroke: #00f; /* is engraved */ }</style>\
+         <rect class=\"cut\" width=\"3\" height=\"3\"/><rect class=\"eng\" width=\"4\" height=\"4\"/>\
+         <rect class=\"b\" width=\"5\" height=\"5\"/><rect style=\"fill:none;/* cut */stroke:#0f0\" width=\"6\" height=\"6\"/>",
+    );
+    assert_eq!(layers(&drawing), ["#ff0000", "#0000ff", "#00ff00"]);
+    assert_eq!(drawing.shapes.iter().map(|s| s.layer).collect::<Vec<_>>(), [0, 1, 1, 2]);
+    assert!(drawing.findings.is_empty(), "{:#?}", drawing.findings);
+}

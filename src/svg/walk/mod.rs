@@ -6,7 +6,7 @@
 mod roles;
 mod shapes;
 
-use super::css::StyleSheet;
+use super::css::{StyleSheet, without_comments};
 use super::layers::Key;
 use super::length::{Axis, Lengths};
 use super::report::{Hidden, Report, Subject};
@@ -39,7 +39,8 @@ pub(super) fn walk(
     scale: &Scale,
     options: &ReadOptions,
 ) -> Result<Walked, ReadError> {
-    let sheet = StyleSheet::read(&document.style);
+    let css = without_comments(&document.style);
+    let sheet = StyleSheet::read(&css);
     let mut walker = Walker {
         document,
         sheet: &sheet,
