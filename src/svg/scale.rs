@@ -45,7 +45,10 @@ pub(super) fn decide(document: &Document<'_>, options: &ReadOptions) -> Scale {
     };
     let guess = Guess::of(document);
     if let Some((units, unit)) = chosen(options) {
-        let dpi = units.dpi.unwrap_or(guess.dpi);
+        // Without a view box, lengths in the drawing that state mm have to keep their size. With one, they are pixels of
+        // the page, as without a choice.
+        let of_unit = if page.view_box.is_none() { 25.4 / unit } else { guess.dpi };
+        let dpi = units.dpi.unwrap_or(of_unit);
         return page.in_user_units(unit, dpi, units, None);
     }
     match (page.size_in_mm(), page.view_box) {

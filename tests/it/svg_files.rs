@@ -297,3 +297,16 @@ fn comments_in_styles_hide_nothing_else() {
     assert_eq!(drawing.shapes.iter().map(|s| s.layer).collect::<Vec<_>>(), [0, 1, 1, 2]);
     assert!(drawing.findings.is_empty(), "{:#?}", drawing.findings);
 }
+
+#[test]
+fn lengths_in_mm_keep_their_size_when_the_unit_is_chosen() {
+    let body = "<rect x=\"10mm\" y=\"10mm\" width=\"30mm\" height=\"30mm\" fill=\"none\" stroke=\"#f00\"/>";
+    let text =
+        format!("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"100mm\">{body}</svg>");
+    for unit in [None, Some(Unit::Mm), Some(Unit::Cm), Some(Unit::In), Some(Unit::Px)] {
+        let options = ReadOptions { unit, ..ReadOptions::default() };
+        let bounds = svg::read(text.as_bytes(), &options).unwrap().shapes[0].path.bounds();
+        assert!(bounds.min.distance(DVec2::new(10.0, 60.0)) < 1e-9, "{unit:?}: {bounds:?}");
+        assert!(bounds.max.distance(DVec2::new(40.0, 90.0)) < 1e-9, "{unit:?}: {bounds:?}");
+    }
+}
