@@ -310,3 +310,17 @@ fn lengths_in_mm_keep_their_size_when_the_unit_is_chosen() {
         assert!(bounds.max.distance(DVec2::new(40.0, 90.0)) < 1e-9, "{unit:?}: {bounds:?}");
     }
 }
+
+#[test]
+fn fills_close_their_subpaths_and_show_nothing_of_lines() {
+    let drawing = page(
+        "<path d=\"M10 10 H40 V40 H10\"/><line id=\"none\" x1=\"10\" y1=\"10\" x2=\"40\" y2=\"40\"/>\
+         <path id=\"half\" d=\"M60 10 h9 M70 10 h9 v9\"/><path d=\"M80 10 h9 v9\" fill=\"none\" stroke=\"red\"/>",
+    );
+    let shapes: Vec<(bool, f64)> =
+        drawing.shapes.iter().map(|s| (s.path.closed, s.path.length().round())).collect();
+    assert_eq!(shapes, [(true, 120.0), (true, 31.0), (false, 18.0)]);
+    let hidden = found(&drawing, Code::HiddenEntity);
+    assert_eq!((hidden.count, hidden.handle.as_deref()), (2, Some("none")));
+    assert_eq!(hidden.at, Some(DVec2::new(10.0, 40.0)));
+}

@@ -2,7 +2,7 @@
 
 use super::super::layers::{Key, Line};
 use super::super::length::Axis;
-use super::super::outline::Chain;
+use super::super::outline::{Chain, Piece};
 use super::super::report::{Hidden, Subject};
 use super::super::style::Paint;
 use super::super::{shape, trace};
@@ -16,7 +16,7 @@ const WIDE: f64 = 1.0;
 impl Walker<'_, '_> {
     /// Adds what is cut of a shape, and reports what its style asks for beyond that.
     pub(super) fn shape(&mut self, element: u32, kind: &'static str, place: &Place) {
-        let outline = shape::outline(self.document, element, kind, &self.lengths(place));
+        let mut outline = shape::outline(self.document, element, kind, &self.lengths(place));
         let style = &place.style;
         let (stroke, fill) = (style.visible_stroke(), style.visible_fill());
         let line = if stroke == Paint::None { Line::Filled(fill) } else { Line::Stroke(stroke) };
@@ -26,7 +26,16 @@ impl Walker<'_, '_> {
         if let Some(at) = at {
             self.walked.report.place(at);
         }
-        let unpainted = stroke == Paint::None && fill == Paint::None;
+        let mut invisible_lines = false;
+        let mut unpainted = stroke == Paint::None && fill == Paint::None;
+        if stroke == Paint::None && !outline.chains.is_empty() {
+            // A fill closes every subpath, and shows nothing of a single straight line.
+            outline.chains.iter_mut().for_each(|chain| chain.closed = true);
+            let all = outline.chains.len();
+            outline.chains.retain(|chain| !matches!(chain.pieces.as_slice(), [Piece::Line(_)]));
+            unpainted |= outline.chains.is_empty();
+            invisible_lines = outline.chains.len() < all;
+        }
         let hidden = place.hidden.or(match style.visible {
             false => Some(Hidden::Invisible),
             true if unpainted => Some(Hidden::Unpainted),
@@ -35,6 +44,9 @@ impl Walker<'_, '_> {
         if let Some(why) = hidden {
             self.walked.report.count(Subject::Hidden(why), None, id, at);
             return;
+        }
+        if invisible_lines {
+            self.walked.report.count(Subject::Hidden(Hidden::Unpainted), None, id, at);
         }
         if let Some(fault) = outline.fault {
             self.walked.report.invalid(format!("{}: {fault}.", named(kind, id)), key, id, at);
