@@ -1,7 +1,7 @@
 //! Shapes as outlines in user units: `path` and the basic shapes.
 
 use super::length::{Axis, Lengths};
-use super::numbers::list;
+use super::numbers::Scanner;
 use super::outline::{Chain, Piece};
 use super::path_data;
 use super::xml::Document;
@@ -86,12 +86,17 @@ pub(super) fn outline(document: &Document<'_>, element: u32, kind: &str, lengths
 }
 
 fn points(text: &str, closed: bool) -> Outline {
-    let numbers: Vec<f64> = list(text).collect();
+    let mut scanner = Scanner::new(text);
+    let numbers: Vec<f64> = std::iter::from_fn(|| scanner.next_number()).collect();
     let (pairs, rest) = numbers.as_chunks::<2>();
     let mut points = pairs.iter().map(|p| DVec2::from_array(*p));
     let Some(start) = points.next() else { return Outline::invalid("it has no points") };
     let chain = Chain { start, pieces: points.map(Piece::Line).collect(), closed };
-    let fault = (!rest.is_empty()).then_some("its last point has no y");
+    let fault = if !scanner.rest().is_empty() {
+        Some("its list of points is damaged, and is read up to the fault")
+    } else {
+        (!rest.is_empty()).then_some("its last point has no y")
+    };
     Outline { chains: vec![chain], fault }
 }
 

@@ -324,3 +324,15 @@ fn fills_close_their_subpaths_and_show_nothing_of_lines() {
     assert_eq!((hidden.count, hidden.handle.as_deref()), (2, Some("none")));
     assert_eq!(hidden.at, Some(DVec2::new(10.0, 40.0)));
 }
+
+#[test]
+fn points_that_cannot_be_read_are_a_finding() {
+    for (points, length_left) in
+        [("10,10 40,10 NaN,NaN 40,40", 30.0), ("10,10 40,10 40,40; 10,40", 60.0), ("10,10 40,10, ", 30.0)]
+    {
+        let drawing = page(&format!("<polyline points=\"{points}\" fill=\"none\" stroke=\"red\"/>"));
+        close(length(&drawing), length_left);
+        let faults = drawing.findings.iter().filter(|f| f.code == Code::InvalidGeometry).count();
+        assert_eq!(faults, usize::from(!points.ends_with(", ")), "{points}");
+    }
+}
