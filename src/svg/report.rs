@@ -32,6 +32,8 @@ pub(super) enum Subject {
     Cyclic(String),
     /// Elements whose `transform` cannot be read.
     Transform,
+    /// Elements whose `transform-origin` is not supported.
+    Origin,
     /// Rules of style sheets.
     Rules,
     /// Entities in text.
@@ -236,6 +238,14 @@ impl Subject {
                 format!(
                     "{} a transform that cannot be read: placed without it, as browsers do.",
                     many("object has", "objects have")
+                ),
+            ),
+            Self::Origin => (
+                Code::InvalidGeometry,
+                Warning,
+                format!(
+                    "{} turned or scaled about a point that cannot be read (transform-origin): the origin of the page is taken. Apply the transform in the drawing program.",
+                    many("object is", "objects are")
                 ),
             ),
             Self::Rules => (

@@ -65,6 +65,10 @@ pub(super) struct Own {
     pub(super) gone: bool,
     /// The value of the property or attribute `transform`.
     pub(super) transform: Option<String>,
+    /// The value of `transform-origin`.
+    pub(super) origin: Option<String>,
+    /// Whether `transform-box` places this origin in the element's own box.
+    pub(super) own_box: bool,
     pub(super) clipped: bool,
     pub(super) masked: bool,
     pub(super) marked: bool,
@@ -128,6 +132,8 @@ impl Cascade<'_> {
             }
             "stroke-dasharray" => style.dashed = value.bytes().any(|b| b.is_ascii_digit() && b != b'0'),
             "transform" => self.own.transform = Some(value.to_owned()),
+            "transform-origin" => self.own.origin = Some(value.to_owned()),
+            "transform-box" => self.own.own_box = !matches!(value, "view-box" | "initial" | "unset"),
             "clip-path" => self.own.clipped = is_reference,
             "mask" => self.own.masked = is_reference,
             "marker" | "marker-start" | "marker-mid" | "marker-end" => self.own.marked |= is_reference,

@@ -1,5 +1,6 @@
 //! The attribute and the CSS property `transform`.
 
+use super::length::{Axis, Lengths};
 use super::numbers::Scanner;
 use crate::geometry::{Affine, DVec2, math};
 
@@ -23,6 +24,31 @@ pub(super) fn read(text: &str) -> Option<Affine> {
         let (values, count) = arguments(&mut scanner)?;
         map = one(name, &values, count)?.then(&map);
     }
+}
+
+/// The point of a `transform-origin` in user units; `None` if it is not one. Parts refer to the nearest viewport, which
+/// is the initial box. A third length is a depth, which an even drawing does not have.
+pub(super) fn origin(text: &str, lengths: &Lengths) -> Option<DVec2> {
+    let mut words: Vec<&str> = text.split_ascii_whitespace().collect();
+    let is_vertical = |word: &&str| matches!(*word, "top" | "bottom");
+    // Names may come in either order: `top left` is `left top`.
+    if words.first().is_some_and(is_vertical) {
+        words.resize(words.len().max(2), "center");
+        words.swap(0, 1);
+    } else if words.get(1).is_some_and(|word| matches!(*word, "left" | "right")) {
+        words.swap(0, 1);
+    }
+    let part = |k: usize, start: &str, end: &str, axis: Axis| {
+        let word = match words.get(k).copied().unwrap_or("center") {
+            "center" => "50%",
+            word if word == start => "0",
+            word if word == end => "100%",
+            word => word,
+        };
+        lengths.read(word, axis)
+    };
+    let at = DVec2::new(part(0, "left", "right", Axis::Width)?, part(1, "top", "bottom", Axis::Height)?);
+    (!words.is_empty() && words.len() <= 3).then_some(at)
 }
 
 /// Up to six numbers and the bracket after them. Units px and deg are those that SVG has anyway.

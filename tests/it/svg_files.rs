@@ -336,3 +336,35 @@ fn points_that_cannot_be_read_are_a_finding() {
         assert_eq!(faults, usize::from(!points.ends_with(", ")), "{points}");
     }
 }
+
+#[test]
+fn transforms_are_about_their_origin() {
+    let rect = |more: &str| {
+        let body = format!(
+            "<rect x=\"40\" y=\"20\" width=\"20\" height=\"10\" fill=\"none\" stroke=\"red\" {more}/>"
+        );
+        page(&body)
+    };
+    for more in [
+        "transform=\"rotate(90)\" transform-origin=\"50 25\"",
+        "style=\"transform:rotate(90deg);transform-origin:50px 25px\"",
+        "style=\"transform:rotate(90deg);transform-origin:center\"",
+        "style=\"transform:rotate(90deg);transform-origin:center 50% 0\"",
+        "transform=\"rotate(90 50 25)\"",
+    ] {
+        let drawing = rect(more);
+        let bounds = drawing.shapes[0].path.bounds();
+        assert!(bounds.min.distance(DVec2::new(45.0, 15.0)) < 1e-9, "{more}: {bounds:?}");
+        assert!(drawing.findings.is_empty(), "{:#?}", drawing.findings);
+    }
+    let top_right = rect("style=\"transform:scale(0.5);transform-origin:top right\"");
+    assert!(top_right.shapes[0].path.bounds().max.distance(DVec2::new(80.0, 40.0)) < 1e-9);
+    for more in [
+        "style=\"transform:rotate(90deg);transform-box:fill-box;transform-origin:center\"",
+        "transform=\"scale(2)\" transform-origin=\"here\"",
+    ] {
+        let drawing = rect(more);
+        assert!(found(&drawing, Code::InvalidGeometry).message.contains("transform-origin"), "{more}");
+    }
+    assert!(rect("transform-origin=\"here\"").findings.is_empty());
+}

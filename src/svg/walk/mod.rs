@@ -151,7 +151,20 @@ impl<'w, 'a> Walker<'w, 'a> {
         let mut map = place.map;
         if let Some(text) = &own.transform {
             match transform::read(text) {
-                Some(own) => map = own.then(&place.map),
+                Some(transform) => {
+                    let at = match &own.origin {
+                        Some(_) if own.own_box => None,
+                        Some(origin) => transform::origin(origin, &lengths),
+                        None => Some(DVec2::ZERO),
+                    };
+                    if at.is_none() && transform != Affine::IDENTITY {
+                        let at = place.map.point(DVec2::ZERO);
+                        self.walked.report.count(Subject::Origin, None, self.id(element), Some(at));
+                    }
+                    let at = at.unwrap_or_default();
+                    let about = Affine::translation(-at).then(&transform).then(&Affine::translation(at));
+                    map = about.then(&place.map);
+                }
                 None => {
                     let at = place.map.point(DVec2::ZERO);
                     self.walked.report.count(Subject::Transform, None, self.id(element), Some(at));
