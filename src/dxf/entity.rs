@@ -192,6 +192,8 @@ pub(super) enum Geometry<'a> {
     Hatch {
         /// Boundaries.
         loops: Vec<Loop>,
+        /// Whether an edge of them lacks a value, so that it is left out.
+        incomplete: bool,
         /// Height of its plane.
         elevation: f64,
         /// Extrusion direction.

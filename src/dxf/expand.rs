@@ -123,6 +123,16 @@ impl<'a> Expander<'_, 'a, '_> {
                         if matches!(entity.kind, "SOLID" | "TRACE" | "3DFACE" | "HATCH") {
                             self.notes.count(Subject::Outline(entity.kind), layer, entity.handle, at());
                         }
+                        if matches!(geometry, Geometry::Hatch { incomplete: true, .. }) {
+                            let what = "an edge of its boundary lacks a value and is left out";
+                            self.note(
+                                entity,
+                                layer,
+                                at(),
+                                Code::InvalidGeometry,
+                                format!("{}: {what}.", name(entity)),
+                            );
+                        }
                         if matches!(geometry, Geometry::Polyline { wide: true, .. }) {
                             self.notes.count(Subject::Wide(entity.kind), layer, entity.handle, at());
                         }
@@ -259,7 +269,7 @@ fn first_point(geometry: &Geometry<'_>) -> Option<DVec3> {
         Geometry::Ellipse { center, .. } => Some(*center),
         Geometry::Spline(s) => s.control.first().or(s.fit.first()).copied(),
         Geometry::Insert(i) => Some(super::ocs::axes(i.normal) * i.at),
-        Geometry::Hatch { loops, elevation, normal } => {
+        Geometry::Hatch { loops, elevation, normal, .. } => {
             let p = loops.first().and_then(|l| match l {
                 super::entity::Loop::Polyline(vertices, _) => vertices.first().map(|v| v.at),
                 super::entity::Loop::Edges(edges) => edges.first().and_then(|e| match e {

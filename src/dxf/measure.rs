@@ -203,7 +203,7 @@ fn each_point(geometry: &Geometry<'_>, mut f: impl FnMut(DVec3)) {
             [*major, -*major, *minor, -*minor].into_iter().for_each(|v| f(*center + v));
         }
         Geometry::Spline(s) => s.control.iter().chain(&s.fit).for_each(|p| f(*p)),
-        Geometry::Hatch { loops, elevation, normal } => {
+        Geometry::Hatch { loops, elevation, normal, .. } => {
             let plane: DAffine3 = ocs::plane(*normal, *elevation);
             let mut flat = |p: DVec2| f(plane.transform_point3(p.extend(0.0)));
             for l in loops {

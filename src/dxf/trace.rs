@@ -71,7 +71,7 @@ pub(super) fn outline(
             let flat = |elevation| tracer.plane(DVec3::Z, elevation).map;
             Ok(Outline { paths: vec![tracer.spline(spline, place, flat)?], tilted })
         }
-        Geometry::Hatch { loops, elevation, normal } => {
+        Geometry::Hatch { loops, elevation, normal, .. } => {
             let plane = tracer.plane(*normal, *elevation);
             let mut paths = Vec::new();
             for boundary in loops {

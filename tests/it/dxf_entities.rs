@@ -3,7 +3,7 @@
 
 use crate::testkit::drawings::{close, entities, found, length, one, read, shapes};
 use kerfway::finding::Code;
-use kerfway::geometry::{DVec2, Segment};
+use kerfway::geometry::{DVec2, Path, Segment};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 pub(super) fn v(x: f64, y: f64) -> DVec2 {
@@ -255,4 +255,45 @@ fn angles_many_turns_away_still_fit_the_ends() {
         let there = a.center + kerfway::geometry::math::rotate(a.start - a.center, a.sweep);
         assert!(there.distance(a.end) < 1e-9, "{start} {end}: {there} is not {}", a.end);
     }
+}
+
+#[test]
+fn hatch_ellipse_edges_state_angles_and_not_parameters() {
+    // Half axes of 40 and 10: the point of the ellipse in the direction of 30 degrees from its centre.
+    let y1 = 40.0 / 19_f64.sqrt();
+    let x1 = 3_f64.sqrt() * y1;
+    let hatch = |angles: &str, from: f64, to: f64| {
+        format!(
+            "0 HATCH 8 0 10 0 20 0 30 0 2 SOLID 70 1 71 0 91 1 92 1 93 2 72 3 10 50 20 50 11 40 21 0 40 0.25 {angles} \
+             72 1 10 {} 20 {} 11 {} 21 {} 97 0 75 0 76 1 98 0",
+            50.0 + from,
+            50.0 + y1,
+            50.0 + to,
+            50.0 + y1
+        )
+    };
+    for (angles, from, to) in [
+        ("50 30 51 150 73 1", -x1, x1),
+        ("50 390 51 510 73 1", -x1, x1),
+        // Clockwise edges have their angles mirrored: from 150 to 30.
+        ("50 210 51 330 73 0", x1, -x1),
+    ] {
+        let drawing = entities(&hatch(angles, from, to));
+        let [ellipse, line] = [0, 1].map(|k| drawing.shapes[k].path.clone());
+        let ends = |path: &Path| [path.start().unwrap(), path.end().unwrap()];
+        let ([a, b], [c, d]) = (ends(&ellipse), ends(&line));
+        assert!(a.distance(d) < 1e-9 && b.distance(c) < 1e-9, "{angles}: {a} to {b}, {c} to {d}");
+        assert!((ellipse.bounds().max.y - 60.0).abs() < 0.01, "{angles}: {:?}", ellipse.bounds());
+    }
+}
+
+#[test]
+fn a_hatch_whose_edge_lacks_a_value_says_so() {
+    let drawing = entities(
+        "0 HATCH 5 A1 8 0 10 0 20 0 30 0 2 SOLID 70 1 71 0 91 1 92 1 93 4 72 1 10 0 20 0 11 40 21 0 \
+         72 1 10 40 20 0 11 40 21 40 72 2 10 20 20 40 50 0 51 180 73 1 72 1 10 0 20 40 11 0 21 0 97 0 75 0 76 1 98 0",
+    );
+    close(length(&drawing), 120.0);
+    let finding = found(&drawing, Code::InvalidGeometry);
+    assert_eq!((finding.handle.as_deref(), finding.at), (Some("A1"), Some(v(0.0, 0.0))));
 }

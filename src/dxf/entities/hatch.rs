@@ -5,7 +5,7 @@
 //! coincides with other geometry.
 
 use crate::dxf::entity::{Edge, Geometry, Loop, PlaneEllipse, Spline, Vertex};
-use crate::dxf::ocs::without_whole_turns;
+use crate::dxf::ocs::{axes, without_whole_turns};
 use crate::dxf::record::Record;
 use crate::dxf::tag::Tag;
 use crate::geometry::math;
@@ -20,18 +20,22 @@ pub(super) fn hatch<'a>(record: &Record<'a>) -> Geometry<'a> {
     let elevation = record.real(30).unwrap_or(0.0);
     let mut tags = TagCursor { tags: &record.tags, at: 0 };
     let mut loops = Vec::new();
+    let mut incomplete = false;
     if tags.seek(91).is_some() {
         while let Some(flags) = tags.seek_path() {
-            let read = if flags & POLYLINE != 0 { polyline(&mut tags) } else { edges(&mut tags) };
+            let mut lost = false;
+            let read = if flags & POLYLINE != 0 { polyline(&mut tags) } else { edges(&mut tags, &mut lost) };
             if flags & TEXT_BOX == 0 {
                 loops.extend(read);
+                incomplete |= lost;
             }
         }
     }
     if loops.is_empty() {
-        return Geometry::Invalid("it has no boundary", record.point(10));
+        let why = if incomplete { "its boundary lacks values" } else { "it has no boundary" };
+        return Geometry::Invalid(why, record.point(10).map(|p| axes(record.normal) * p));
     }
-    Geometry::Hatch { loops, elevation, normal: record.normal }
+    Geometry::Hatch { loops, incomplete, elevation, normal: record.normal }
 }
 
 fn polyline(tags: &mut TagCursor<'_, '_>) -> Option<Loop> {
@@ -49,19 +53,25 @@ fn polyline(tags: &mut TagCursor<'_, '_>) -> Option<Loop> {
     (vertices.len() > 1).then_some(Loop::Polyline(vertices, closed))
 }
 
-fn edges(tags: &mut TagCursor<'_, '_>) -> Option<Loop> {
+/// A boundary of edges. `lost` becomes true if one of them cannot be read.
+fn edges(tags: &mut TagCursor<'_, '_>, lost: &mut bool) -> Option<Loop> {
     let mut edges = Vec::new();
-    let mut kind = 0;
+    let mut kind = None;
     let mut edge = Numbers::default();
+    let mut end = |kind: Option<i64>, edge: &mut Numbers| {
+        let read = edge.take(kind.unwrap_or(0));
+        *lost |= kind.is_some() && read.is_none();
+        edges.extend(read);
+    };
     while let Some(tag) = tags.next_in_path() {
         if tag.code == 72 {
-            edges.extend(edge.take(kind));
-            kind = tag.int().unwrap_or(0);
+            end(kind, &mut edge);
+            kind = Some(tag.int().unwrap_or(0));
         } else {
             edge.add(tag);
         }
     }
-    edges.extend(edge.take(kind));
+    end(kind, &mut edge);
     (!edges.is_empty()).then_some(Loop::Edges(edges))
 }
 
@@ -124,9 +134,12 @@ impl Numbers {
             3 => {
                 let (center, major) = (first?, second?);
                 let minor = major.perp() * *n.values.first()?;
-                let sweep = degrees_sweep(n.angles[0], n.angles[1]);
-                let start = sign * n.angles[0].to_radians();
-                Some(Edge::Ellipse(PlaneEllipse { center, major, minor, start, sweep: sign * sweep }))
+                let from = n.angles[0].to_radians();
+                let to = from + degrees_sweep(n.angles[0], n.angles[1]);
+                let ratio = n.values.first()?.abs();
+                let (start, end) = (ellipse_parameter(from, ratio), ellipse_parameter(to, ratio));
+                let sweep = sign * (end - start);
+                Some(Edge::Ellipse(PlaneEllipse { center, major, minor, start: sign * start, sweep }))
             }
             4 => {
                 let lift =
@@ -145,6 +158,13 @@ impl Numbers {
             _ => None,
         }
     }
+}
+
+/// The parameter of an ellipse in the direction `angle` from its centre, measured from its major axis, rad. Unlike an
+/// ELLIPSE, a HATCH states these directions. Both agree on the axes, and whole turns are kept.
+fn ellipse_parameter(angle: f64, ratio: f64) -> f64 {
+    let direction = math::unit(angle);
+    angle + math::turn(direction, DVec2::new(ratio * direction.x, direction.y))
 }
 
 /// The counter-clockwise angle from `start` to `end` (degrees), as radians in (0, 2 pi].
