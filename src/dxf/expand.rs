@@ -194,6 +194,9 @@ impl<'a> Expander<'_, 'a, '_> {
             return Ok(());
         }
         self.open.push(index);
+        if entity.handle.is_some_and(|handle| file.clipped.contains(handle)) {
+            self.notes.count(Subject::ClippedBlock(insert.name), layer, entity.handle, Some(at));
+        }
         let [columns, rows] = insert.counts;
         for row in 0..rows {
             for column in 0..columns {

@@ -14,6 +14,8 @@ pub(super) struct Record<'a> {
     pub(super) name: &'a [u8],
     /// Handle (group 5).
     pub(super) handle: Option<&'a [u8]>,
+    /// Handle of its owner (group 330).
+    pub(super) owner: Option<&'a [u8]>,
     /// Layer name (group 8).
     pub(super) layer: Option<&'a [u8]>,
     /// Colour number (group 62).
@@ -59,6 +61,7 @@ impl<'a> Record<'a> {
         match tag.code {
             5 if self.handle.is_none() => self.handle = tag.text(),
             8 if self.layer.is_none() => self.layer = tag.text().filter(|name| !name.is_empty()),
+            330 if self.owner.is_none() => self.owner = tag.text(),
             62 if self.color.is_none() => self.color = tag.int(),
             67 => self.paper = tag.int() == Some(1),
             60 => self.invisible = tag.int() == Some(1),

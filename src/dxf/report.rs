@@ -73,6 +73,8 @@ pub(super) enum Subject<'a> {
     MissingBlock(&'a [u8]),
     /// Inserts of a block that refers to another file.
     ExternalBlock(&'a [u8]),
+    /// Inserts that show only a part of a block.
+    ClippedBlock(&'a [u8]),
     /// Inserts of a block inside itself.
     CyclicBlock(&'a [u8]),
 }
@@ -182,6 +184,12 @@ impl<'a> Tally<'a> {
                     "The block \"{{}}\" ({n}) refers to another drawing file and is missing here. Bind it in the drawing program and save again."
                 );
                 (Code::MissingBlock, Severity::Error, name, message)
+            }
+            Subject::ClippedBlock(name) => {
+                let message = format!(
+                    "The block \"{{}}\" is clipped where it is inserted ({n}; XCLIP), but cut whole. Explode it there and trim it in the drawing program."
+                );
+                (Code::UnsupportedEntity, Severity::Warning, name, message)
             }
             Subject::CyclicBlock(name) => {
                 let message =

@@ -243,3 +243,22 @@ fn model_space_given_as_a_block_is_the_model() {
         entities("0 LINE 8 0 10 0 20 0 11 1 21 0").findings.iter().all(|f| f.code == Code::UnitsDoubtful)
     );
 }
+
+#[test]
+fn clipped_inserts_are_a_finding() {
+    let file = |enabled: u32, owner: &str| {
+        lines(&format!(
+            "0 SECTION 2 HEADER 9 $INSUNITS 70 4 0 ENDSEC 0 SECTION 2 BLOCKS {BAR} 0 ENDSEC \
+             0 SECTION 2 ENTITIES 0 INSERT 5 34 102 {{ACAD_XDICTIONARY 360 36 102 }} 330 17 8 0 2 BAR 10 5 20 7 0 ENDSEC \
+             0 SECTION 2 OBJECTS 0 DICTIONARY 5 36 330 {owner} 3 ACAD_FILTER 350 37 0 DICTIONARY 5 37 330 36 3 SPATIAL 350 38 \
+             0 SPATIAL_FILTER 5 38 102 {{ACAD_REACTORS 330 37 102 }} 330 37 70 2 10 0 20 0 10 2 20 2 71 {enabled} 0 ENDSEC 0 EOF"
+        ))
+    };
+    let drawing = read(&file(1, "34")).unwrap();
+    let clipped = found(&drawing, Code::UnsupportedEntity);
+    assert_eq!((clipped.handle.as_deref(), clipped.at), (Some("34"), Some(DVec2::new(5.0, 7.0))));
+    assert!(clipped.message.starts_with("The block \"BAR\" is clipped"), "{}", clipped.message);
+    let unknown = read(&file(1, "99")).unwrap();
+    assert_eq!(found(&unknown, Code::UnsupportedEntity).count, 1);
+    assert!(read(&file(0, "34")).unwrap().findings.iter().all(|f| f.code != Code::UnsupportedEntity));
+}

@@ -1,5 +1,6 @@
 //! The contents of a file, in drawing units.
 
+use super::clips::Clips;
 use crate::dxf::entities::{self, Soundness};
 use crate::dxf::entity::{Entity, Geometry};
 use crate::dxf::header::Header;
@@ -8,7 +9,7 @@ use crate::dxf::record::Record;
 use crate::dxf::report::{Note, Notes};
 use crate::finding::{Code, Severity};
 use glam::DVec3;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// A block definition.
 #[derive(Debug)]
@@ -40,10 +41,13 @@ pub(in crate::dxf) struct File<'a> {
     pub(in crate::dxf) other_names: Vec<&'a [u8]>,
     /// Heights of texts, as far as they are kept.
     pub(in crate::dxf) text_heights: Vec<f64>,
+    /// Handles of the inserts that show only a part of their block.
+    pub(in crate::dxf) clipped: FxHashSet<&'a [u8]>,
     /// Findings made while reading.
     pub(in crate::dxf) notes: Notes<'a>,
     /// Whether a SECTION, a TABLE or a known entity was found, so that the file is a DXF.
     pub(in crate::dxf) recognised: bool,
+    pub(super) clips: Clips<'a>,
     blocks_by_name: FxHashMap<Vec<u8>, usize>,
     other_index: FxHashMap<&'a [u8], u32>,
 }
@@ -56,6 +60,24 @@ impl<'a> File<'a> {
             if let Geometry::Insert(insert) = &mut entity.geometry {
                 insert.block = by_name.get(&insert.name.to_ascii_uppercase()).copied();
             }
+        }
+    }
+
+    /// Finds the clipped inserts. What clips an unknown one is a finding for the whole file.
+    pub(super) fn find_clipped(&mut self) {
+        if self.clips.is_empty() {
+            return;
+        }
+        let entities = self.model.iter().chain(self.blocks.iter().flat_map(|b| &b.entities));
+        let inserts = entities.filter(|e| matches!(e.geometry, Geometry::Insert(_))).filter_map(|e| e.handle);
+        let (clipped, unknown) = self.clips.inserts(&inserts.collect());
+        self.clipped = clipped;
+        if unknown > 0 {
+            let message = format!(
+                "{unknown} blocks or references may be clipped (XCLIP), but are cut whole. Trim them in the drawing program and save again."
+            );
+            let note = Note::new(Code::UnsupportedEntity, Severity::Warning, message);
+            self.notes.push(Note { count: unknown, ..note });
         }
     }
 

@@ -1,9 +1,10 @@
 //! Converts tags to typed entities: sections, tables, blocks.
 //!
 //! The keyword of a group 0 decides how a record is read, not its section, because sections, ENDSEC, EOF and the whole
-//! header may be missing. Sections without geometry are skipped. Nothing is looked up by handle, because handles repeat
-//! in real files.
+//! header may be missing. Sections without geometry are skipped. No geometry is looked up by handle, because handles
+//! repeat in real files.
 
+mod clips;
 mod contents;
 mod reader;
 
@@ -23,5 +24,6 @@ pub(super) fn read(bytes: &[u8]) -> File<'_> {
     file.layers.zero();
     Reader::new(bytes).run(&mut file, false);
     file.find_blocks();
+    file.find_clipped();
     file
 }

@@ -27,6 +27,8 @@ enum Section {
     Other,
 }
 
+    /// Where the boundaries of clipped inserts are.
+    Objects,
 impl Section {
     fn holds_entities(self) -> bool {
         matches!(self, Self::Blocks | Self::Entities)
@@ -77,7 +79,11 @@ impl<'a> Reader<'a> {
                     self.ended = true;
                     break;
                 }
-                Some(_) if self.section == Section::Other => {}
+                Some(b"DICTIONARY" | b"SPATIAL_FILTER") if self.section == Section::Objects => {
+                    next = record.gather(tag, &mut self.tokens);
+                    file.clips.take(&record);
+                }
+                Some(_) if matches!(self.section, Section::Objects | Section::Other) => {}
                 Some(_) => {
                     next = record.gather(tag, &mut self.tokens);
                     self.note_breaks(file, Some(&record));
@@ -268,7 +274,8 @@ fn section_of(tag: &Tag<'_>) -> Section {
         Some(b"TABLES") => Section::Tables,
         Some(b"BLOCKS") => Section::Blocks,
         Some(b"ENTITIES") => Section::Entities,
-        Some(b"CLASSES" | b"OBJECTS" | b"THUMBNAILIMAGE" | b"ACDSDATA") => Section::Other,
+        Some(b"OBJECTS") => Section::Objects,
+        Some(b"CLASSES" | b"THUMBNAILIMAGE" | b"ACDSDATA") => Section::Other,
         _ => Section::Unknown,
     }
 }
