@@ -262,3 +262,13 @@ fn clipped_inserts_are_a_finding() {
     assert_eq!(found(&unknown, Code::UnsupportedEntity).count, 1);
     assert!(read(&file(0, "34")).unwrap().findings.iter().all(|f| f.code != Code::UnsupportedEntity));
 }
+
+#[test]
+fn entities_of_inactive_layouts_are_counted_as_hidden() {
+    let layout =
+        "0 BLOCK 2 *Paper_Space0 10 0 20 0 0 CIRCLE 8 0 10 5 20 5 40 3 0 VIEWPORT 8 0 10 0 20 0 0 ENDBLK";
+    let drawing = blocks(layout, "0 LINE 8 0 10 0 20 0 11 9 21 0");
+    let hidden = found(&drawing, Code::HiddenEntity);
+    assert_eq!((hidden.count, drawing.shapes.len()), (1, 1));
+    assert!(hidden.message.contains("paper layout"), "{}", hidden.message);
+}

@@ -11,6 +11,9 @@ use crate::dxf::tokens::Tokens;
 use crate::finding::{Code, Severity};
 
 /// Number of texts whose heights are kept, as hints at the unit.
+/// How the names of the blocks of paper layouts begin: the active one is `*Paper_Space`, others have a number.
+const LAYOUT: &[u8] = b"*PAPER_SPACE";
+
 const TEXTS: usize = 500;
 
 /// Kind of section that the reader is in.
@@ -213,10 +216,20 @@ impl<'a> Reader<'a> {
         match block {
             // In most files the block of model space is empty. Where it is not, its entities belong to the model.
             Some(b) if b.name.eq_ignore_ascii_case(b"*MODEL_SPACE") => file.model.push(entity),
+        let is_viewport =
+            matches!(entity.geometry, Geometry::Other(name, _) if file.other_name(name) == b"VIEWPORT");
             Some(b) => b.entities.push(entity),
             None => file.model.push(entity),
         }
     }
+            // The blocks of layouts are never inserted. That of the active one is empty in most files, because its
+            // entities are among those of the model (67 = 1). A view of the model is nothing that anybody misses.
+            Some(b) if b.name.get(..LAYOUT.len()).is_some_and(|n| n.eq_ignore_ascii_case(LAYOUT)) => {
+                if !is_viewport {
+                    entity.hidden = Some(Hidden::Paper);
+                    file.model.push(entity);
+                }
+            }
 
     fn note_breaks(&mut self, file: &mut File<'a>, record: Option<&Record<'a>>) {
         for b in self.tokens.take_breaks() {
