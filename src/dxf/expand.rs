@@ -137,7 +137,7 @@ impl<'a> Expander<'_, 'a, '_> {
                             self.notes.count(Subject::Wide(entity.kind), layer, entity.handle, at());
                         }
                         for path in outline.paths {
-                            self.shape(entity, layer, color, path);
+                            self.shape(entity, layer, color, path, at);
                         }
                     }
                 }
@@ -146,9 +146,16 @@ impl<'a> Expander<'_, 'a, '_> {
         }
     }
 
-    fn shape(&mut self, entity: &Entity<'a>, layer: u32, color: i16, path: crate::geometry::Path) {
+    fn shape(
+        &mut self,
+        entity: &Entity<'a>,
+        layer: u32,
+        color: i16,
+        path: crate::geometry::Path,
+        at: impl Fn() -> Option<DVec2>,
+    ) {
         if path.segments.is_empty() {
-            return self.invalid(entity, layer, None, "it has no length");
+            return self.invalid(entity, layer, at(), "it has no length");
         }
         let bounds = path.bounds();
         let limits = &self.options.limits;
@@ -176,7 +183,7 @@ impl<'a> Expander<'_, 'a, '_> {
         place: &Placement,
     ) -> Result<(), ReadError> {
         let layer = place.layer.unwrap_or(entity.layer);
-        let at = place.to_sheet.transform_point3(insert.at).truncate();
+        let at = place.to_sheet.transform_point3(super::ocs::axes(insert.normal) * insert.at).truncate();
         let file = self.file;
         let found = insert.block.and_then(|i| file.blocks.get(i).map(|b| (i, b)));
         let Some((index, block)) = found else {
@@ -187,6 +194,9 @@ impl<'a> Expander<'_, 'a, '_> {
             self.notes.count(Subject::CyclicBlock(insert.name), layer, entity.handle, Some(at));
             return Ok(());
         }
+        if entity.handle.is_some_and(|handle| file.clipped.contains(handle)) {
+            self.notes.count(Subject::ClippedBlock(insert.name), layer, entity.handle, Some(at));
+        }
         if block.entities.is_empty() {
             if block.external {
                 self.notes.count(Subject::ExternalBlock(insert.name), layer, entity.handle, Some(at));
@@ -194,9 +204,6 @@ impl<'a> Expander<'_, 'a, '_> {
             return Ok(());
         }
         self.open.push(index);
-        if entity.handle.is_some_and(|handle| file.clipped.contains(handle)) {
-            self.notes.count(Subject::ClippedBlock(insert.name), layer, entity.handle, Some(at));
-        }
         let [columns, rows] = insert.counts;
         for row in 0..rows {
             for column in 0..columns {

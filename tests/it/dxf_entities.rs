@@ -297,3 +297,20 @@ fn a_hatch_whose_edge_lacks_a_value_says_so() {
     let finding = found(&drawing, Code::InvalidGeometry);
     assert_eq!((finding.handle.as_deref(), finding.at), (Some("A1"), Some(v(0.0, 0.0))));
 }
+
+#[test]
+fn findings_are_where_the_entity_is_seen_from_above() {
+    let drawing = entities(
+        "0 LINE 8 0 10 0 20 0 11 9 21 0 0 TEXT 5 B1 8 0 10 100 20 50 40 5 1 HELLO 210 0 220 0 230 -1 \
+         0 INSERT 5 B2 8 0 2 NOPE 10 100 20 50 210 0 220 0 230 -1 \
+         0 CIRCLE 5 B3 8 0 10 100 20 50 40 0 210 0 220 0 230 -1 \
+         0 SPLINE 5 B4 8 0 70 8 71 3 72 8 73 4 74 0 40 0 40 0 40 0 40 0 40 1 40 1 40 1 40 1 \
+         10 30 20 40 30 0 10 30 20 40 30 0 10 30 20 40 30 0 10 30 20 40 30 0",
+    );
+    let at = |handle: &str| {
+        let finding = drawing.findings.iter().find(|f| f.handle.as_deref() == Some(handle));
+        finding.and_then(|f| f.at)
+    };
+    assert_eq!(["B1", "B2", "B3"].map(at), [Some(v(-100.0, 50.0)); 3], "{:#?}", drawing.findings);
+    assert_eq!(at("B4"), Some(v(30.0, 40.0)));
+}

@@ -1,7 +1,7 @@
 //! LINE, CIRCLE, ARC, ELLIPSE.
 
 use crate::dxf::entity::Geometry;
-use crate::dxf::ocs::without_whole_turns;
+use crate::dxf::ocs::{axes, without_whole_turns};
 use crate::dxf::record::Record;
 use crate::geometry::math;
 use std::f64::consts::TAU;
@@ -20,7 +20,10 @@ pub(super) fn circle<'a>(record: &Record<'a>) -> Geometry<'a> {
             Geometry::Arc { center, radius, start: 0.0, end: None, normal: record.normal }
         }
         (None, _) => Geometry::Invalid("its centre is missing", None),
-        _ => Geometry::Invalid("its radius is missing or not above 0", center),
+        _ => {
+            let place = center.map(|p| axes(record.normal) * p);
+            Geometry::Invalid("its radius is missing or not above 0", place)
+        }
     }
 }
 

@@ -8,17 +8,18 @@ use glam::DVec3;
 /// SOLID and TRACE: the third and fourth corner are swapped, as in a bow tie.
 pub(super) fn solid<'a>(record: &Record<'a>) -> Geometry<'a> {
     let plane = ocs::axes(record.normal);
-    outline([10, 11, 13, 12].map(|code| record.point(code).map(|p| plane * p)), record, 0)
+    outline([10, 11, 13, 12].map(|code| record.point(code).map(|p| plane * p)), 0)
 }
 
 /// 3DFACE: the corners are in order, and bits of group 70 hide edges.
 pub(super) fn face<'a>(record: &Record<'a>) -> Geometry<'a> {
-    outline([10, 11, 12, 13].map(|code| record.point(code)), record, record.int(70).unwrap_or(0))
+    outline([10, 11, 12, 13].map(|code| record.point(code)), record.int(70).unwrap_or(0))
 }
 
-/// The visible edges of a triangle or quadrilateral, as one closed chain or several open ones. Bit i of `hidden` hides
+/// The visible edges of a triangle or quadrilateral, whose corners are in world coordinates, as one closed chain or several open ones. Bit i of `hidden` hides
 /// the edge that starts at corner i.
-fn outline<'a>(corners: [Option<DVec3>; 4], record: &Record<'a>, hidden: i64) -> Geometry<'a> {
+fn outline<'a>(corners: [Option<DVec3>; 4], hidden: i64) -> Geometry<'a> {
+    let place = corners[0];
     let mut visible: Vec<(DVec3, bool)> = Vec::with_capacity(4);
     for (i, corner) in corners.into_iter().enumerate() {
         let Some(corner) = corner else { continue };
@@ -34,7 +35,7 @@ fn outline<'a>(corners: [Option<DVec3>; 4], record: &Record<'a>, hidden: i64) ->
     }
     let n = visible.len();
     if n < 3 {
-        return Geometry::Invalid("it has fewer than three corners", record.point(10));
+        return Geometry::Invalid("it has fewer than three corners", place);
     }
     // Start after a hidden edge, so that no chain wraps around the end of the list.
     let Some(first_hidden) = visible.iter().position(|v| !v.1) else {

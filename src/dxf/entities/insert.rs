@@ -1,12 +1,15 @@
 //! INSERT, with its array.
 
 use crate::dxf::entity::{Geometry, Insert};
+use crate::dxf::ocs;
 use crate::dxf::record::Record;
 use glam::{DVec2, DVec3};
 
 pub(super) fn insert<'a>(record: &Record<'a>) -> Geometry<'a> {
     let place = record.point(10);
-    let Some(name) = record.text(2) else { return Geometry::Invalid("it names no block", place) };
+    let Some(name) = record.text(2) else {
+        return Geometry::Invalid("it names no block", place.map(|p| ocs::axes(record.normal) * p));
+    };
     let scale = |code| record.real(code).filter(|s| s.abs() > 0.0).unwrap_or(1.0);
     let count = |code| record.int(code).and_then(|n| u32::try_from(n).ok()).unwrap_or(1).max(1);
     Geometry::Insert(Box::new(Insert {

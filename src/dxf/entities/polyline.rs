@@ -1,6 +1,7 @@
 //! LWPOLYLINE, and POLYLINE with the VERTEX records after it.
 
 use crate::dxf::entity::{Geometry, Polyline3d, Vertex};
+use crate::dxf::ocs;
 use crate::dxf::record::Record;
 use glam::{DVec2, DVec3};
 
@@ -26,7 +27,7 @@ pub(super) fn light<'a>(record: &Record<'a>) -> Geometry<'a> {
 
 fn flat<'a>(vertices: Vec<Vertex>, closed: bool, wide: bool, elevation: f64, normal: DVec3) -> Geometry<'a> {
     if vertices.len() < 2 {
-        let place = vertices.first().map(|v| v.at.extend(elevation));
+        let place = vertices.first().map(|v| ocs::axes(normal) * v.at.extend(elevation));
         return Geometry::Invalid("it has fewer than two vertices", place);
     }
     Geometry::Polyline { vertices, closed, wide, elevation, normal }

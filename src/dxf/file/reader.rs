@@ -4,16 +4,17 @@ use super::contents::File;
 use crate::dxf::breaks::BreakKind;
 use crate::dxf::entities::{self, Gathering, Soundness};
 use crate::dxf::entity::{BY_LAYER, Entity, Geometry, Hidden};
+use crate::dxf::ocs;
 use crate::dxf::record::Record;
 use crate::dxf::report::Note;
 use crate::dxf::tag::Tag;
 use crate::dxf::tokens::Tokens;
 use crate::finding::{Code, Severity};
 
-/// Number of texts whose heights are kept, as hints at the unit.
 /// How the names of the blocks of paper layouts begin: the active one is `*Paper_Space`, others have a number.
 const LAYOUT: &[u8] = b"*PAPER_SPACE";
 
+/// Number of texts whose heights are kept, as hints at the unit.
 const TEXTS: usize = 500;
 
 /// Kind of section that the reader is in.
@@ -26,12 +27,12 @@ enum Section {
     /// An entity outside a block in this section has lost the start of its block.
     Blocks,
     Entities,
+    /// Where the boundaries of clipped inserts are.
+    Objects,
     /// A section without geometry.
     Other,
 }
 
-    /// Where the boundaries of clipped inserts are.
-    Objects,
 impl Section {
     fn holds_entities(self) -> bool {
         matches!(self, Self::Blocks | Self::Entities)
@@ -194,7 +195,10 @@ impl<'a> Reader<'a> {
         if matches!(record.name, b"TEXT" | b"MTEXT") && file.text_heights.len() < TEXTS {
             file.text_heights.extend(record.real(40));
         }
-        Some(Geometry::Other(file.other(record.name), record.point(10)))
+        // Texts are written in the plane of their extrusion direction, other kinds in world coordinates.
+        let is_flat = matches!(record.name, b"TEXT" | b"ATTRIB" | b"ATTDEF" | b"SHAPE");
+        let place = record.point(10).map(|p| if is_flat { ocs::axes(record.normal) * p } else { p });
+        Some(Geometry::Other(file.other(record.name), place))
     }
 
     fn close_polyline(&mut self, file: &mut File<'a>, cut_off: bool) {
@@ -212,16 +216,12 @@ impl<'a> Reader<'a> {
 
     fn push(&self, file: &mut File<'a>, mut entity: Entity<'a>) {
         entity.damaged |= self.section == Section::Blocks && self.block.is_none();
+        let is_viewport =
+            matches!(entity.geometry, Geometry::Other(name, _) if file.other_name(name) == b"VIEWPORT");
         let block = self.block.and_then(|i| file.blocks.get_mut(i));
         match block {
             // In most files the block of model space is empty. Where it is not, its entities belong to the model.
             Some(b) if b.name.eq_ignore_ascii_case(b"*MODEL_SPACE") => file.model.push(entity),
-        let is_viewport =
-            matches!(entity.geometry, Geometry::Other(name, _) if file.other_name(name) == b"VIEWPORT");
-            Some(b) => b.entities.push(entity),
-            None => file.model.push(entity),
-        }
-    }
             // The blocks of layouts are never inserted. That of the active one is empty in most files, because its
             // entities are among those of the model (67 = 1). A view of the model is nothing that anybody misses.
             Some(b) if b.name.get(..LAYOUT.len()).is_some_and(|n| n.eq_ignore_ascii_case(LAYOUT)) => {
@@ -230,6 +230,10 @@ impl<'a> Reader<'a> {
                     file.model.push(entity);
                 }
             }
+            Some(b) => b.entities.push(entity),
+            None => file.model.push(entity),
+        }
+    }
 
     fn note_breaks(&mut self, file: &mut File<'a>, record: Option<&Record<'a>>) {
         for b in self.tokens.take_breaks() {
