@@ -74,6 +74,7 @@ mod plate_drawings;
 mod quote;
 mod recorded;
 mod selection;
+mod shared_sides;
 mod sharp_corners;
 mod sheet;
 mod skeleton;

@@ -82,6 +82,11 @@ impl<'s> Groups<'s> {
         Self { sheet, pre_cuts, work, of }
     }
 
+    /// The groups that the plan cuts as one.
+    pub(super) fn each(&self) -> impl Iterator<Item = &PierceGroup> {
+        self.work.iter().map(|work| work.group)
+    }
+
     /// Whether a contour is cut with its group.
     pub(super) fn holds(&self, contour: u32) -> bool {
         self.of.get(contour as usize).is_some_and(Option::is_some)

@@ -2,22 +2,24 @@
 
 use super::tolerance::{SAME, rounding};
 use crate::geometry::{Aabb, DVec2, Path, Segment, math};
-use crate::sheet::{Contour, Operation, Sheet};
+use crate::sheet::{Contour, Sheet};
 use static_aabb2d_index::{StaticAABB2DIndex, StaticAABB2DIndexBuilder};
 use std::f64::consts::TAU;
 
 /// Number of points of a contour that are checked: enough to find one outside where two contours cross.
 const SAMPLES: usize = 16;
 
-/// All pairs of a contour (first) and a closed cut contour that it lies inside of (second), at any depth.
+/// All pairs of a contour (first) and a cut contour that bounds an area around it (second), at any depth. What is left of an
+/// outline whose other sides are cut with its neighbours stands for the whole outline, which counts once however many pieces are left.
 ///
 /// A contour lies inside another if none of the sample points spread over it is outside, and at least one is inside and not
 /// on the outline. So duplicates lie inside neither, and a contour that crosses an outline does not lie inside it.
+/// Of two outlines that each lost sides, the larger one does not lie inside the smaller one, whatever is left of it.
 pub(super) fn pairs(sheet: &Sheet) -> Vec<(u32, u32)> {
     let outers: Vec<u32> = (0..)
         .zip(&sheet.contours)
         // Only the last pass cuts a contour free.
-        .filter(|(_, c)| c.path.closed && c.operation == Operation::Cut && c.next_pass.is_none())
+        .filter(|(_, c)| c.bounds_area() && c.next_pass.is_none())
         .map(|(id, _)| id)
         .collect();
     let Some(index) = index(&outers, sheet) else { return Vec::new() };
@@ -29,7 +31,14 @@ pub(super) fn pairs(sheet: &Sheet) -> Vec<(u32, u32)> {
         }
         for hit in index.query(bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y) {
             let Some(&outer) = outers.get(hit) else { continue };
-            if outer != inner && lies_inside(contour, bounds, &sheet.contours[outer as usize].path) {
+            let around = &sheet.contours[outer as usize];
+            let same_shape = contour.rest_of.is_some() && contour.rest_of == around.rest_of;
+            let is_larger =
+                contour.outline.is_some() && around.outline.is_some() && contour.area > around.area;
+            if outer == inner || same_shape || is_larger {
+                continue;
+            }
+            if around.boundary().is_some_and(|outline| lies_inside(contour, bounds, outline)) {
                 pairs.push((inner, outer));
             }
         }
@@ -40,7 +49,7 @@ pub(super) fn pairs(sheet: &Sheet) -> Vec<(u32, u32)> {
 fn index(outers: &[u32], sheet: &Sheet) -> Option<StaticAABB2DIndex<f64>> {
     let mut builder = StaticAABB2DIndexBuilder::new(outers.len());
     for &id in outers {
-        let b = sheet.contours.get(id as usize)?.path.bounds();
+        let b = sheet.contours.get(id as usize)?.boundary()?.bounds();
         builder.add(b.min.x, b.min.y, b.max.x, b.max.y);
     }
     builder.build().ok()

@@ -17,7 +17,7 @@ pub(super) fn check(
     found: &mut Vec<Violation>,
 ) {
     // By pinning first, then by layer, then by pass, then marks, small holes, other cuts.
-    let own: Vec<(Pin, u32, u32, bool, bool)> = sheet
+    let mut rank: Vec<(Pin, u32, u32, bool, bool)> = sheet
         .contours
         .iter()
         .map(|c| {
@@ -26,7 +26,6 @@ pub(super) fn check(
             (c.pin, layer, c.pass, cut, cut && !is_small_hole(c, machine))
         })
         .collect();
-    let mut rank = own.clone();
     let mut nested = nesting::pairs(sheet);
     // A cut through a bridge lies in the piece that it divides, and comes after the cut around that.
     let apart = if PLANS_ALL_LEVERS { apart(sheet) } else { Vec::new() };
@@ -34,25 +33,22 @@ pub(super) fn check(
         nested.retain(|&(inner, outer)| apart.binary_search(&(outer, inner)).is_err());
     }
     for &(inner, outer) in &nested {
-        let (i, o) = (inner as usize, outer as usize);
-        // An outer contour waits for what lies inside it, whatever its layer.
-        rank[o] = rank[o].max(own[i]);
+        // What is left of an outline that shares sides with its group frees nothing by itself: `groups.rs` knows what does.
+        let is_followed = groups.same(inner, outer)
+            || groups.holds(outer) && sheet.contours.get(outer as usize).is_some_and(|c| !c.path.closed);
         if let (Some(inside), Some(around)) = (visits.ends(inner), visits.ends(outer))
             && around < inside
-            && !groups.same(inner, outer)
+            && !is_followed
         {
             found.push(Violation::CutFree { outer, inner });
         }
     }
-    for (around, through) in apart.into_iter().filter(|_| PLANS_ALL_LEVERS) {
-        rank[through as usize] = rank[through as usize].max(rank[around as usize]);
-    }
-
     let turns = turns(sheet);
-    if !turns.is_empty() {
-        raise(&turns, &nested, &mut rank);
-        in_turn(&turns, visits, found);
-    }
+    nested.extend(apart);
+    // What crosses an outline, as a hole that breaks through an edge, lies not inside it, but comes before it, too.
+    nested.extend((0..).zip(&sheet.contours).filter_map(|(id, c)| Some((id, c.inside?))));
+    raise(&turns, &nested, groups, &mut rank);
+    in_turn(&turns, visits, found);
 
     let mut highest: Option<u32> = None;
     for &contour in &visits.order {
@@ -159,9 +155,9 @@ fn places(turns: &[Turn]) -> impl Iterator<Item = impl Iterator<Item = &[Turn]>>
     lists.map(|list| list.chunk_by(|a, b| a.2 == b.2))
 }
 
-/// Raises ranks so that no contour of a sequence has a lower one than the contours before it, and none around another one
-/// a lower one than that.
-fn raise<R: Copy + Ord>(turns: &[Turn], nested: &[(u32, u32)], rank: &mut [R]) {
+/// Raises ranks: no contour of a sequence has a lower one than the contours before it, and none a lower one than what it waits for
+/// because that lies inside it, whatever its layer. All contours of a pierce group have one rank, and wait for what lies inside any of them.
+fn raise<R: Copy + Ord>(turns: &[Turn], nested: &[(u32, u32)], groups: &Groups, rank: &mut [R]) {
     loop {
         let before = rank.to_vec();
         for list in places(turns) {
@@ -174,7 +170,16 @@ fn raise<R: Copy + Ord>(turns: &[Turn], nested: &[(u32, u32)], rank: &mut [R]) {
             }
         }
         for &(inner, outer) in nested {
-            rank[outer as usize] = rank[outer as usize].max(rank[inner as usize]);
+            let least = rank.get(inner as usize).copied();
+            if let Some((rank, least)) = rank.get_mut(outer as usize).zip(least) {
+                *rank = least.max(*rank);
+            }
+        }
+        for group in groups.each() {
+            let all = group.contours.iter().chain(&group.inside);
+            if let Some(highest) = all.map(|&c| rank[c as usize]).max() {
+                group.contours.iter().for_each(|&c| rank[c as usize] = highest);
+            }
         }
         if before == rank {
             return;
