@@ -13,15 +13,33 @@ use crate::machine::{PLANS_ALL_LEVERS, Profile};
 use crate::plan::model::{Move, Plan};
 use crate::sheet::{PierceGroup, Sheet};
 
+/// An element that a run follows begins or ends nearer to it than this, mm: far more than [`SAME`] and any rounding.
+const NEAR: f64 = 1.0;
+
 /// The state of a group.
 struct Work<'s> {
     group: &'s PierceGroup,
     paths: Vec<Path>,
+    /// For each area, the elements beside it.
+    beside: Vec<Vec<usize>>,
     cut: Vec<bool>,
     /// Pre-cuts made, as contour and node.
     ahead: Vec<(u32, u32)>,
     /// For each area, the move that cut it free.
     free: Vec<Option<usize>>,
+}
+
+/// For each area of a group, the elements that have it on one side or on both, in order.
+fn beside(group: &PierceGroup) -> Vec<Vec<usize>> {
+    let mut beside = vec![Vec::new(); group.faces as usize];
+    for (e, element) in group.elements.iter().enumerate() {
+        let [left, right] = element.faces.map(|f| f as usize);
+        beside[left].push(e);
+        if left != right {
+            beside[right].push(e);
+        }
+    }
+    beside
 }
 
 /// For each contour, whether it is cut in one go, with no other. A pause in a sharp corner does not interrupt it.
@@ -74,6 +92,7 @@ impl<'s> Groups<'s> {
             work.push(Work {
                 group,
                 paths: group.elements.iter().map(|e| group.path(e)).collect(),
+                beside: beside(group),
                 cut: vec![false; group.elements.len()],
                 ahead: Vec::new(),
                 free: vec![None; group.faces as usize],
@@ -208,8 +227,11 @@ impl Work<'_> {
 
     /// The uncut element that a run follows from the position `gone` on, and the nodes from which and to which it leads.
     fn next(&self, run: &Path, gone: f64) -> Option<(usize, u32, u32)> {
+        let at = run.at(gone)?;
+        let is_near = |end: Option<DVec2>| end.is_some_and(|end| end.distance(at) < NEAR);
+        // Few elements end where the run is, which is found out before the whole run is walked through for each.
         (0..self.paths.len())
-            .filter(|&e| !self.cut[e])
+            .filter(|&e| !self.cut[e] && (is_near(self.paths[e].start()) || is_near(self.paths[e].end())))
             .find_map(|e| self.follows(run, gone, e).map(|n| (e, n[0], n[1])))
     }
 
@@ -238,13 +260,8 @@ impl Work<'_> {
         let mut queue = vec![0_u32];
         while let Some(f) = queue.pop() {
             if !std::mem::replace(&mut held[f as usize], true) {
-                let left = self
-                    .group
-                    .elements
-                    .iter()
-                    .zip(&self.cut)
-                    .filter(|(e, cut)| !**cut && e.faces.contains(&f));
-                queue.extend(left.flat_map(|(e, _)| e.faces));
+                let left = self.beside[f as usize].iter().filter(|&&e| !self.cut[e]);
+                queue.extend(left.flat_map(|&e| self.group.elements[e].faces));
             }
         }
         held
@@ -272,6 +289,11 @@ impl Work<'_> {
 
     fn take(&mut self, e: usize, step: usize) {
         self.cut[e] = true;
+        let [left, right] = self.group.elements[e].faces;
+        // It connected nothing if it has the same area on both sides, and nothing that is still held if one of its areas is free.
+        if left == right || [left, right].iter().any(|&f| self.free[f as usize].is_some()) {
+            return;
+        }
         let held = self.held();
         for (free, held) in self.free.iter_mut().zip(held) {
             if !held && free.is_none() {
@@ -289,7 +311,8 @@ impl Work<'_> {
     /// The elements around an area, with the area on their left, in no particular order.
     fn boundary(&self, face: u32) -> Vec<Segment> {
         let mut segments = Vec::new();
-        for (e, path) in self.group.elements.iter().zip(&self.paths) {
+        let beside = self.beside.get(face as usize).into_iter().flatten();
+        for (e, path) in beside.map(|&e| (&self.group.elements[e], &self.paths[e])) {
             if e.faces[0] == face && e.faces[1] != face {
                 segments.extend_from_slice(&path.segments);
             } else if e.faces[1] == face && e.faces[0] != face {
