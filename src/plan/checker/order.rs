@@ -45,7 +45,7 @@ pub(super) fn check(
     }
     let turns = turns(sheet);
     nested.extend(apart);
-    // What crosses an outline, as a hole that breaks through an edge, lies not inside it, but comes before it, too.
+    // A hole that breaks through an edge does not lie inside the outline, but is cut before it all the same.
     nested.extend((0..).zip(&sheet.contours).filter_map(|(id, c)| Some((id, c.inside?))));
     raise(&turns, &nested, groups, &mut rank);
     in_turn(&turns, visits, found);
