@@ -19,9 +19,10 @@ function plain(value: unknown): unknown {
 
 /**
  * A copy of plain data, such as the options of a call, which its caller may change while the call waits. Of a proxy, which no message can
- * carry, it copies what is behind it. Callbacks and signals stay as they are.
+ * carry, it copies what is behind it. Callbacks and signals stay as they are, and so does a DataView, which no option takes.
  */
 export function copied<T>(value: T): T {
+  if (value instanceof DataView) return value;
   if (ArrayBuffer.isView(value)) return (value as unknown as Uint8Array).slice() as T;
   if (Array.isArray(value)) return value.map(copied) as T;
   if (typeof value !== 'object' || value === null || 'addEventListener' in value) return value;
