@@ -161,9 +161,14 @@ impl Profile {
         if mark { &self.mark } else { &self.cut }
     }
 
-    /// Whether pre-cuts have a cost, and contours take one pass.
+    /// Whether a contour that is left unfinished gets a pre-cut.
+    pub fn charges_for_pre_cuts(&self) -> bool {
+        self.pre_cut_time.is_some_and(|seconds| seconds > 0.0)
+    }
+
+    /// Whether pre-cuts have a cost, and contours take one pass unless their layer says otherwise.
     pub fn makes_pre_cuts(&self) -> bool {
-        self.pre_cut_time.is_some_and(|seconds| seconds > 0.0) && self.cut.passes == 1
+        self.charges_for_pre_cuts() && self.cut.passes == 1
     }
 
     /// Whether contours that share cuts are cut as one: on a machine that makes pre-cuts, or with `levers.common_cuts`.

@@ -23,7 +23,7 @@ use crate::solve::{Begun, Solution, Stop, begun};
 pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> Plan {
     let mut moves = Vec::with_capacity(3 * solution.stops.len() + 1);
     let mut head = problem.home;
-    let pre_cuts = problem.machine.makes_pre_cuts();
+    let pre_cuts = problem.machine.charges_for_pre_cuts();
     // For each contour, the place where it was begun.
     let mut begun_at: Vec<Option<f64>> = vec![None; sheet.contours.len()];
     let mut last: Option<NodeId> = None;

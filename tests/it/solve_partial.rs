@@ -136,6 +136,24 @@ fn every_improvement_passes_the_checker_on_real_and_nested_sheets() {
     assert!(left > 50, "only {left} times was anything left unfinished");
 }
 
+/// A layer of one pass on a machine of two, and two passes sheet by sheet: contours may be left there, so pre-cuts are written.
+#[test]
+fn contours_that_are_left_get_pre_cuts_on_a_machine_of_two_passes() {
+    let mut machine = Profile { pre_cut_time: Some(1e-3), ..machine("length") };
+    machine.cut.passes = 2;
+    let mut by_layer = nested_sheet(120, 1);
+    by_layer.layers.iter_mut().for_each(|layer| layer.settings.passes = Some(1));
+    let problem = problem_of(&by_layer, &machine);
+    let mut search = solve::methods()[0].start(&problem, 3, None);
+    search.step(600_000);
+    let left = search.best().stops.len() - problem.items.len();
+    let plan = plan::from_solution(&by_layer, &problem, search.best());
+    assert_eq!(plan::check(&by_layer, &machine, &plan), Ok(()));
+    let pre_cuts = plan.moves.iter().filter(|m| matches!(m, plan::Move::PreCut { .. })).count();
+    assert!(left > 0, "nothing is left unfinished");
+    assert_eq!(pre_cuts, left);
+}
+
 #[test]
 fn a_search_continues_from_a_path_with_interrupted_contours() {
     let sheet = nested_sheet(60, 5);
