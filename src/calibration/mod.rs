@@ -111,6 +111,7 @@ impl Job {
         let (mut head, mut height) = (machine.home(), 0.0);
         let (mut moving, mut flying, mut chained, mut after_cut) = (false, false, false, false);
         let (mut fixed, mut pierces, mut cuts) = (0.0, 0.0, Vec::<(bool, Process, Vec<Segment>)>::new());
+        let mut chain = None;
         for step in &plan.moves {
             match step {
                 Move::Air { to, way } => {
@@ -141,11 +142,7 @@ impl Job {
                     cuts.last_mut().iter_mut().for_each(|cut| cut.2.extend(&path));
                 }
                 Move::Chain { path } => {
-                    let path = Element::segments(path, &mut head);
-                    let last = cuts.last().map(|cut| (cut.0, cut.1));
-                    // At the edge of the sheet there may be no cut before it.
-                    let (mark, process) = last.unwrap_or((false, machine.cut));
-                    cuts.push((mark, process, path));
+                    chain = Some(Element::segments(path, &mut head));
                     // On a kerf, the beam goes on after it went off.
                     chained = after_cut;
                 }
@@ -157,6 +154,8 @@ impl Job {
                     let known = contour.first().and_then(|c| plan.contours.get(c as usize));
                     let mark = known.is_some_and(|c| c.operation == Operation::Mark);
                     let process = plan.process_by_id(contour.first());
+                    // A chain is run like the cut that it leads to.
+                    cuts.extend(chain.take().map(|path| (mark, process, path)));
                     let path = Element::segments(path, &mut head);
                     // Over a flying joint the motion goes on.
                     match cuts.last_mut().filter(|_| std::mem::take(&mut flying)) {

@@ -37,8 +37,8 @@ pub(super) fn seconds(
     let machine = &document.machine;
     let mut at = machine.home();
     let (mut pierces, mut dark, mut moving) = (0, true, false);
-    // The seconds of a chain to the next cut, whether the beam was on before it, and the process of the last cut.
-    let (mut chain, mut process) = (None, machine.cut);
+    // A chain to the next cut, and whether the beam was on before it.
+    let mut chain = None;
     // The elements of a motion that goes on over a joint or to the next cut, and the contours of its cuts with their lengths.
     let (mut motion, mut cut_on) = (Vec::new(), Vec::new());
     for (index, step) in document.moves.iter().enumerate() {
@@ -58,10 +58,10 @@ pub(super) fn seconds(
                     motion.extend(path);
                 }
             }
-            // A chain is paid by the part that it leads to.
+            // A chain is paid by the part that it leads to, and run like the cut there.
             Move::Chain { path } => {
                 let after_cut = index > 0 && matches!(document.moves.get(index - 1), Some(Move::Cut { .. }));
-                chain = Some((cut_time(machine, &process, &segments(path, &mut at)), after_cut));
+                chain = Some((segments(path, &mut at), after_cut));
             }
             Move::Fly { path } => motion.extend(segments(path, &mut at)),
             // Their time is part of the air time, which is shared.
@@ -89,7 +89,7 @@ pub(super) fn seconds(
                     continue;
                 }
                 let path = std::mem::take(&mut motion);
-                process = document.process_by_id(ids.first().copied());
+                let process = document.process_by_id(ids.first().copied());
                 let cut = cut_time(machine, &process, &path);
                 // A motion is shared by what it cuts of each contour; a cut along several contours equally.
                 let whole: f64 = cut_on.iter().map(|c| c.1).sum();
@@ -102,8 +102,8 @@ pub(super) fn seconds(
                 let first = cut_on.drain(..).next().map_or(parts, |(id, _)| owner(id));
                 let entered = &mut all[first];
                 entered.pierces += pierces;
-                let (seconds, is_on) = chain.take().unwrap_or((0.0, false));
-                entered.times.cut += seconds;
+                let (path, is_on) = chain.take().unwrap_or_default();
+                entered.times.cut += cut_time(machine, &process, &path);
                 let delays = if is_on { 0.0 } else { machine.delays_of_cut(std::mem::take(&mut moving)) };
                 entered.times.pierce += delays + f64::from(pierces) * machine.pierce_time;
                 entered.starts += f64::from(u8::from(dark));

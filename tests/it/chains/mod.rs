@@ -4,6 +4,7 @@
 mod checker;
 mod edge;
 mod every_choice;
+mod seconds;
 
 pub(super) use checker::says;
 pub(super) use every_choice::{brute, chain_seconds};
