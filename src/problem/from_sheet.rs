@@ -187,9 +187,11 @@ fn starts_of(
     let mut found = on_kerfs;
     found.extend(skeleton_starts(sheet, machine, items, nodes));
     let air = AirTime::head_down(machine);
+    // The way to the start may be short enough for the head to stay down.
+    let lifted = machine.levers.lift.map_or(0.0, |lift| 2.0 * machine.height_seconds(lift.height));
     let saved = |node: NodeId, start: &Start| {
         let node = nodes.get(node as usize)?;
-        Some((node.item, air.seconds(start.from, node.entry) - start.seconds))
+        Some((node.item, air.seconds(start.from, node.entry) + lifted - start.seconds))
     };
     Starts::new(nodes.len(), found, saved, |item| links.saved(item))
 }

@@ -9,7 +9,7 @@ use crate::testkit::leads::{leads, oriented, with_leads};
 use crate::testkit::sheets::{Builder, Dice, circle, p, rectangle};
 use kerfway::geometry::Segment;
 use kerfway::job::problem_of;
-use kerfway::machine::{LeadKind, Profile};
+use kerfway::machine::{AirTime, LeadKind, Lift, Profile};
 use kerfway::plan::{self, Move, Plan, Violation};
 use kerfway::sheet::Sheet;
 use kerfway::solve;
@@ -217,4 +217,25 @@ fn every_dialect_begins_there_without_piercing() {
         let starts = |text: &str| text.matches("from a kerf or an edge through waste for ").count();
         assert!(text.is_none_or(|text| starts(text) == 2), "{dialect}");
     });
+}
+
+/// The head may stay down on the way to the kerf of the bar, and be lifted on the way to the next square.
+#[test]
+fn what_starts_may_save_counts_a_lift_that_is_not_needed() {
+    let mut machine = starting(6.0, 1.0);
+    machine.z_speed = Some(5.0);
+    machine.levers.lift = Some(Lift { height: 10.0, stay_down: 36.0, at_rest: true });
+    let problem = problem_of(&oriented(comb(2, 4.0).sheet), &machine);
+    let air = AirTime::new(&machine);
+    let mut most = f64::NEG_INFINITY;
+    for (node, to) in (0..).zip(&problem.nodes) {
+        for start in problem.starts.of(node) {
+            for before in problem.nodes.iter().filter(|before| before.item != to.item) {
+                let pierced = air.seconds(before.exit, to.entry);
+                most = most.max(pierced - air.seconds(before.exit, start.from) - start.seconds);
+            }
+        }
+    }
+    // Twice 10 mm at 5 mm/s, besides piercing.
+    assert!(most > 4.0 && problem.most_saved() >= most, "{} of {most}", problem.most_saved());
 }
