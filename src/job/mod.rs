@@ -297,12 +297,13 @@ fn build_sheet(drawing: &Drawing, options: &SheetOptions) -> Result<Sheet, JobEr
     }
     match sheet.contradiction() {
         None => Ok(sheet),
-        Some(contour) => refused(
-            "sequences",
-            format!(
+        Some(contour) => {
+            let parts = if sheet.part_by_part { ", and a part is cut without others in between" } else { "" };
+            let sentence = format!(
                 "The option \"sequences\" asks for an order that is not possible: contour {contour} would have to be cut \
-             before itself. What lies inside a contour is cut before it."
-            ),
-        ),
+             before itself. What lies inside a contour is cut before it{parts}."
+            );
+            refused("sequences", sentence)
+        }
     }
 }

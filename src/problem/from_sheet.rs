@@ -1,5 +1,6 @@
 //! Conversion of a sheet to a problem: one item for each contour, with entries, precedence from the nesting, and a rank.
 
+use super::between_parts::between_parts;
 use super::bridge_cuts::begins_on_kerf;
 use super::chains::Candidates;
 use super::entries::entries;
@@ -59,8 +60,11 @@ use crate::sheet::{Contour, Operation, Sheet};
 pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> Problem {
     let planners = Planners::new(sheet, machine);
     let joined = PierceGroups::new(sheet, machine, planners.leads.as_ref(), paths);
-    let pairs = pairs(sheet, &joined);
+    let mut pairs = pairs(sheet, &joined);
     let ranks = ranks(sheet, machine, &joined, &pairs);
+    if sheet.part_by_part {
+        pairs.extend(between_parts(sheet, &ranks, &pairs));
+    }
     // In a pierce group, no contour has joints.
     let zones = tipping::zones(sheet, machine, |c| planners.joints(c).filter(|_| !joined.holds(c)));
     let avoided = zones.as_deref().filter(|z| PLANS_ALL_LEVERS && z.avoids());
@@ -241,13 +245,11 @@ fn groups(sheet: &Sheet) -> Groups {
     if !sheet.part_by_part {
         return if own > 0 { Groups::new(of, around) } else { Groups::default() };
     }
-    for (part, p) in (own..).zip(&sheet.parts) {
+    for p in &sheet.parts {
         around.push(p.inside.map(|q| own + q).or_else(|| sheet.contours.get(p.outer as usize)?.together));
-        for &contour in p.holes.iter().chain([&p.outer]) {
-            if let Some(group) = of.get_mut(contour as usize) {
-                *group = Some(part);
-            }
-        }
+    }
+    for (group, part) in of.iter_mut().zip(sheet.part_of()) {
+        *group = part.map(|p| own + p).or(*group);
     }
     Groups::new(of, around)
 }

@@ -2,6 +2,7 @@
 //! know neither drawings nor machine programs.
 
 mod beside;
+mod between_parts;
 mod bridge_cuts;
 mod chains;
 mod cut_apart;

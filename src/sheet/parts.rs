@@ -1,6 +1,7 @@
 //! Parts: contours at even depth with their holes, and the orientation of contours.
 
-use super::model::{Contour, Operation, Part};
+use super::model::{Contour, Operation, Part, Sheet};
+use std::iter::successors;
 
 /// Orients closed contours: outer ones (even depth) and closed marks counter-clockwise, holes clockwise. The start
 /// point stays as drawn.
@@ -33,4 +34,34 @@ pub(super) fn parts(contours: &[Contour]) -> Vec<Part> {
         }
     }
     parts
+}
+
+impl Sheet {
+    /// The parts around a contour, the innermost first; `of` is [`Sheet::part_of`].
+    pub(crate) fn parts_around(&self, of: &[Option<u32>], contour: u32) -> impl Iterator<Item = u32> {
+        let own = of.get(contour as usize).copied().flatten();
+        successors(own, |&p| self.parts.get(p as usize)?.inside).take(self.parts.len())
+    }
+
+    /// The outermost part around a contour that is not around another one.
+    pub(crate) fn part_without(&self, of: &[Option<u32>], contour: u32, other: u32) -> Option<u32> {
+        let holds_both = |part: u32| self.parts_around(of, other).any(|p| p == part);
+        self.parts_around(of, contour).take_while(|&part| !holds_both(part)).last()
+    }
+
+    /// By contour: the innermost part that it is cut with where the sheet is cut part by part. What lies in a hole of a part, and is
+    /// no part itself, has to be cut before the hole, so that it is cut with the part.
+    pub(crate) fn part_of(&self) -> Vec<Option<u32>> {
+        let mut own = vec![None; self.contours.len()];
+        for (part, p) in (0..).zip(&self.parts) {
+            for &contour in p.holes.iter().chain([&p.outer]) {
+                if let Some(own) = own.get_mut(contour as usize) {
+                    *own = Some(part);
+                }
+            }
+        }
+        let around =
+            |c: &Contour| own.get(c.inside.filter(|_| c.next_pass.is_none())? as usize).copied().flatten();
+        own.iter().zip(&self.contours).map(|(own, c)| own.or_else(|| around(c))).collect()
+    }
 }

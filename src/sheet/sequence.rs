@@ -76,14 +76,20 @@ impl Sheet {
         pairs
     }
 
-    /// A contour that would have to come before itself, because sequences contradict each other or the nesting.
+    /// A contour that would have to come before itself, because sequences contradict each other, the nesting, or the parts that
+    /// are cut one after the other.
     pub(crate) fn contradiction(&self) -> Option<u32> {
-        let pairs = self.in_turn();
+        let mut pairs = self.in_turn();
         if pairs.is_empty() {
             return None;
         }
-        let mut after: Vec<Vec<u32>> = vec![Vec::new(); self.contours.len()];
-        let mut waits_for = vec![0_usize; self.contours.len()];
+        if self.part_by_part {
+            pairs = self.between_parts(&pairs);
+        }
+        // The contours, and the beginnings of parts.
+        let count = self.contours.len() + self.parts.len();
+        let mut after: Vec<Vec<u32>> = vec![Vec::new(); count];
+        let mut waits_for = vec![0_usize; count];
         let nested = (0..).zip(&self.contours).filter_map(|(c, contour)| Some((c, contour.inside?)));
         for (first, then) in nested.chain(pairs) {
             if let (Some(list), Some(count)) =
@@ -105,6 +111,23 @@ impl Sheet {
                 }
             }
         }
-        (0..).zip(&waits_for).find(|(_, n)| **n > 0).map(|(contour, _)| contour)
+        (0..).zip(&waits_for).take(self.contours.len()).find(|(_, n)| **n > 0).map(|(contour, _)| contour)
+    }
+
+    /// What waits for what where each part is cut without any other contour in between: if a contour waits for one of another
+    /// part, the whole of its part waits for the outline there, which is cut last. Beginnings of parts have the numbers after
+    /// those of contours.
+    fn between_parts(&self, pairs: &[(u32, u32)]) -> Vec<(u32, u32)> {
+        let of = self.part_of();
+        let begin = |p: u32| u32::try_from(self.contours.len()).unwrap_or(u32::MAX).saturating_add(p);
+        let outline = |p: u32| Some(self.parts.get(p as usize)?.outer);
+        let mut all: Vec<(u32, u32)> =
+            (0..).zip(&of).filter_map(|(contour, of)| Some((begin((*of)?), contour))).collect();
+        all.extend((0..).zip(&self.parts).filter_map(|(p, known)| Some((begin(known.inside?), begin(p)))));
+        for &(first, then) in pairs {
+            let [before, after] = [(first, then), (then, first)].map(|(a, b)| self.part_without(&of, a, b));
+            all.push((before.and_then(outline).unwrap_or(first), after.map_or(then, begin)));
+        }
+        all
     }
 }

@@ -68,6 +68,7 @@ mod papers_hull;
 mod papers_qu_du;
 mod papers_tree;
 mod papers_yang;
+mod part_by_part;
 mod passes;
 mod plan_check;
 mod plate_drawings;

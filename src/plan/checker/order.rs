@@ -93,6 +93,13 @@ fn part_by_part<R: Copy + PartialEq>(sheet: &Sheet, visits: &Visits, rank: &[R],
             parts[*contour as usize] = std::iter::successors(Some(part), around).collect();
         }
     }
+    // What lies in a hole and is no part, such as an open cut, has to be cut before the hole.
+    let in_hole =
+        |c: &Contour| c.inside.and_then(|hole| parts.get(hole as usize)).cloned().unwrap_or_default();
+    let held: Vec<_> = sheet.contours.iter().map(in_hole).collect();
+    for (own, held) in parts.iter_mut().zip(held).filter(|(own, _)| own.is_empty()) {
+        *own = held;
+    }
     // For each part, the position of its last contour so far among those of its rank.
     let mut last: Vec<Option<(usize, u32)>> = vec![None; sheet.parts.len()];
     for (k, &contour) in visits.order.iter().enumerate() {
