@@ -54,13 +54,15 @@ pub(super) type Names = BTreeMap<Key, String>;
 /// are layers.
 pub(super) fn name(shapes: Vec<(Key, Shape)>, groups: &[String]) -> (Vec<Layer>, Vec<Shape>, Names) {
     let keys: BTreeSet<Key> = shapes.iter().map(|(key, _)| *key).collect();
-    let used_groups: BTreeSet<Option<u32>> = keys.iter().map(|k| k.0).collect();
-    let by_group = used_groups.len() > 1;
-    let lines_in = |group: Option<u32>| keys.iter().filter(|k| k.0 == group).count();
+    let mut lines_in: BTreeMap<Option<u32>, usize> = BTreeMap::new();
+    for (group, _) in &keys {
+        *lines_in.entry(*group).or_default() += 1;
+    }
+    let by_group = lines_in.len() > 1;
     let name_of = |&(group, line): &Key| {
         let label = group.and_then(|g| groups.get(g as usize)).filter(|l| !l.trim().is_empty());
         match label {
-            Some(label) if lines_in(group) == 1 => label.trim().to_owned(),
+            Some(label) if lines_in.get(&group) == Some(&1) => label.trim().to_owned(),
             Some(label) if by_group => format!("{} {}", label.trim(), line.name()),
             _ => line.name(),
         }

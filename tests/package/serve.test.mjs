@@ -146,15 +146,16 @@ describe('the service', () => {
   it('kept any number of answers for clients that did not read them', async (t) => {
     const log = [];
     const body = { data: 'x'.repeat(8e6) };
-    const backend = { full: async () => false, take: async () => ({ status: 200, body }), find: async () => null, waiting: () => 0, close: async () => {} };
+    const backend = { full: async () => false, take: async () => ({ status: 200, body }), find: async () => ({ status: 200, body }), waiting: () => 0, close: async () => {} };
     const service = await startService({ ...DEFAULTS, workers: 1, waiting: 1, port: 0, upload: 0.2, grace: 1 }, backend, '0', (_, event) => log.push(event));
     const { hostname, port } = new URL(service.url);
     const clients = [1, 2].map(() => connect(Number(port), hostname).on('error', () => {}));
     t.after(() => Promise.all([service.stop(), ...clients.map((client) => client.destroy())]));
-    for (const client of clients) {
+    const asked = ['POST /inspect HTTP/1.1\r\nhost: a\r\ncontent-length: 1\r\n\r\nx', `GET /jobs/${'0'.repeat(64)} HTTP/1.1\r\nhost: a\r\n\r\n`];
+    clients.forEach((client, k) => {
       client.pause();
-      client.write('POST /inspect HTTP/1.1\r\nhost: a\r\ncontent-length: 1\r\n\r\nx');
-    }
+      client.write(asked[k]);
+    });
     const post = () => fetch(`${service.url}/inspect`, { method: 'POST', body: 'x' });
     for (let k = 0; k < 100 && (await (await fetch(`${service.url}/healthz`)).json()).running < 2; k += 1) await wait(20);
     await refused(await post(), 429, 'busy');

@@ -79,7 +79,7 @@ function jobOperation(security: unknown[]): Schema {
     summary: 'The result of a job.',
     security,
     parameters: [{ name: 'id', in: 'path', required: true, schema: { type: 'string', pattern: '^[0-9a-f]{64}$' } }],
-    responses: { 200: json('The result.', ref('Report')), 202: json('It is not finished.', ref('Job')), ...failures([401, 404, 422, 500, 503]) },
+    responses: { 200: json('The result.', ref('Report')), 202: json('It is not finished.', ref('Job')), ...failures([401, 404, 422, 429, 500, 503]) },
   };
 }
 

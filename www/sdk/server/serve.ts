@@ -130,7 +130,7 @@ class HttpService {
     if (route === 'openapi') return ok(openapi(this.version, { queued: this.settings.queue !== null, keys: this.settings.keys.size > 0 }));
     keyOf(request, this.settings.keys);
     if (route === 'metrics') return { status: 200, body: this.metrics.text(), type: 'text/plain; version=0.0.4; charset=utf-8' };
-    if (route === 'jobs') return this.job(url.pathname.slice('/jobs/'.length));
+    if (route === 'jobs') return this.job(url.pathname.slice('/jobs/'.length), gone);
     return this.work(route as JobKind, request, url, gone);
   }
 
@@ -139,7 +139,8 @@ class HttpService {
     return { ...ok(body), status: this.stopping ? 503 : 200 };
   }
 
-  private async job(id: string): Promise<Reply> {
+  private async job(id: string, gone: AbortController): Promise<Reply> {
+    this.takePlace(gone);
     const found = /^[0-9a-f]{64}$/.test(id) ? await this.backend.find(id) : null;
     if (found === null) throw new KerfwayError('not-found', 'There is no such job, or its result has expired.');
     return { ...ok(found.body), status: found.status };
@@ -147,13 +148,9 @@ class HttpService {
 
   private async work(kind: JobKind, request: IncomingMessage, url: URL, gone: AbortController): Promise<Reply> {
     if (this.stopping) throw new KerfwayError('stopping', 'The service is about to stop. Send the drawing again in a moment.');
+    if (await this.backend.full()) throw busy();
     // Bodies that are still arriving take memory, too, so they count before they are read.
-    if (this.running.size >= this.settings.workers + this.settings.waiting || (await this.backend.full())) {
-      throw new KerfwayError('busy', `Too many drawings wait. Try again in ${RETRY_AFTER} seconds.`, { retryAfter: RETRY_AFTER });
-    }
-    // A client that has gone by now closes its response no second time.
-    gone.signal.throwIfAborted();
-    this.running.add(gone);
+    this.takePlace(gone);
     const { bytes, name, fields } = await uploadOf(request, this.settings);
     this.metrics.drawing(bytes.byteLength);
     const options = requestOptions(kind, url.searchParams, fields, this.settings);
@@ -164,6 +161,14 @@ class HttpService {
     const answer = await this.backend.take(job, bytes, gone.signal);
     const headers: Record<string, string> = answer.status === 202 ? { location: `/jobs/${answer.body.id}` } : {};
     return { ...ok(answer.body), status: answer.status, headers };
+  }
+
+  /** Counts a request among those that are being answered, until its client has read the answer. */
+  private takePlace(gone: AbortController): void {
+    if (this.running.size >= this.settings.workers + this.settings.waiting) throw busy();
+    // A client that has gone by now closes its response no second time.
+    gone.signal.throwIfAborted();
+    this.running.add(gone);
   }
 
   private failed(error: unknown, signal: AbortSignal): Reply {
@@ -218,6 +223,10 @@ class HttpService {
       ...(request.method === 'OPTIONS' ? { 'access-control-allow-methods': 'GET, POST', 'access-control-allow-headers': 'authorization, content-type, x-api-key', 'access-control-max-age': '600' } : {}),
     };
   }
+}
+
+function busy(): KerfwayError {
+  return new KerfwayError('busy', `Too many drawings wait. Try again in ${RETRY_AFTER} seconds.`, { retryAfter: RETRY_AFTER });
 }
 
 /** The address of a request: a path, or a whole address as for a proxy. What is neither is nothing that there is here. */
