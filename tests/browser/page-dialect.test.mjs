@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { download, openPage, phase } from './page-support.mjs';
+import { download, machineSection, openPage, phase, SIZES } from './page-support.mjs';
 
 test('a program is checked below the downloads, and a dialect of one\'s own is tried while it is typed', async (t) => {
   const { page } = await openPage(t, { hash: 'seconds=0.4' });
@@ -42,8 +42,8 @@ test('a program that fails its check is not offered, neither among the downloads
   await phase(page, 'done');
   const foot = page.locator('.dock').getByRole('button', { name: 'G-code' });
   assert.equal(await foot.isEnabled(), true);
-  const machine = page.locator('details.section', { has: page.locator('h2', { hasText: 'Machine' }) });
-  await machine.evaluate((section) => [section, ...section.querySelectorAll('details')].forEach((d) => (d.open = true)));
+  const machine = await machineSection(page, SIZES.desktop);
+  await machine.evaluate((section) => section.querySelectorAll('details').forEach((d) => (d.open = true)));
   await machine.getByLabel('Name of your machine').fill('Inches');
   await machine.getByRole('button', { name: 'Save', exact: true }).click();
   await page.waitForFunction(() => document.querySelector('[aria-label=Preset]').value === 'my-inches');

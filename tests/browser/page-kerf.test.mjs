@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { shot, still } from './page-pictures.mjs';
-import { download, drop, openPage, phase, replanned, SIZES } from './page-support.mjs';
+import { download, drop, openEverything, openPage, phase, replanned, SIZES } from './page-support.mjs';
 
 const SHEET = readFileSync(new URL('../fixtures/plate/one-kerf-apart.dxf', import.meta.url));
 const HASH = 'machine=fibre-6kw-plate&seconds=0.4&seed=1';
@@ -25,10 +25,8 @@ async function opened(t, options = {}) {
 
 /** Types a width and waits for the plan with it. */
 async function setKerf(page, width) {
-  await page.evaluate(() => {
-    document.body.classList.add('sheet-open');
-    document.querySelectorAll('details').forEach((d) => (d.open = true));
-  });
+  await page.evaluate(() => document.body.classList.add('sheet-open'));
+  await openEverything(page);
   await replanned(page, () => page.getByLabel('Kerf width').fill(String(width)));
 }
 

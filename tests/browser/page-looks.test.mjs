@@ -21,11 +21,15 @@ for (const [name, size] of Object.entries(SIZES)) {
     /** Shows one section of the panel, with these of its parts open. */
     const panel = async (title, ...parts) => {
       if (narrow && !(await page.evaluate(() => document.body.classList.contains('sheet-open')))) await page.locator('.sheet-toggle').click();
-      await page.evaluate(([title, parts]) => {
+      await page.evaluate((title) => {
         for (const s of document.querySelectorAll('.section')) s.open = s.querySelector('h2').textContent === title;
+      }, title);
+      // The content of some is loaded when they are opened.
+      await page.waitForFunction(() => document.querySelector('.section[open] > .section-body:not(:empty)') !== null);
+      await page.evaluate((parts) => {
         for (const d of document.querySelectorAll('.section details')) d.open = parts.includes(d.querySelector('summary').textContent);
         document.querySelector('.section[open]').scrollIntoView({ block: 'start' });
-      }, [title, parts]);
+      }, parts);
     };
     const sheet = async () => {
       if (narrow && (await page.evaluate(() => document.body.classList.contains('sheet-open')))) await page.locator('.sheet-toggle').click();

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { dxf, square } from '../package/support.mjs';
 import { shot, still } from './page-pictures.mjs';
-import { openPage, openPlanned, output, phase, plan, replanned, SIZES } from './page-support.mjs';
+import { openPage, openPlanned, output, phase, plan, replanned, SIZES, until } from './page-support.mjs';
 
 const DRAWING = dxf(square(-20, 10, 50));
 
@@ -96,4 +96,30 @@ test('the first visit asks for the machine, and the answer stays', async (t) => 
   await phase(page, 'done');
   // A K40 takes SVG, so that is what is offered first.
   assert.equal(await page.locator('.dock').getByRole('button', { name: 'SVG' }).isVisible(), true);
+});
+
+test('the controls of the machine are loaded when its section is opened, and then also without a network; its heading names the machine before', async (t) => {
+  const { page, sent } = await openPage(t, { hash: 'seconds=0.4' });
+  await phase(page, 'done');
+  const controls = () => sent.filter(({ file }) => file.includes('later-machine'));
+  assert.deepEqual(controls(), [], 'a first visit does without them');
+  const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
+  assert.equal(await machine.locator('.gist').textContent(), 'CO2 laser, 100 W, GRBL, 3 mm acrylic');
+  // Once somebody uses the page, it stores what it may need.
+  await page.keyboard.press('Shift');
+  await until(page, 'the controls are stored', () => page.evaluate(async () => {
+    const lists = await Promise.all((await caches.keys()).map(async (cache) => (await caches.open(cache)).keys()));
+    return lists.flat().some(({ url }) => url.includes('later-machine'));
+  }));
+  assert.equal(controls().length, 1);
+  await page.context().setOffline(true);
+  await machine.locator('> summary').focus();
+  await page.keyboard.press('Enter');
+  const preset = machine.getByLabel('Preset');
+  await preset.waitFor();
+  await page.keyboard.press('Tab');
+  assert.equal(await preset.evaluate((list) => list === document.activeElement), true);
+  await preset.selectOption('k40');
+  await page.waitForFunction(() => location.hash.includes('machine=k40'));
+  assert.equal(await machine.locator('.gist').textContent(), 'K40, CO2, 40 W, 3 mm plywood');
 });

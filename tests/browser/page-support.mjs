@@ -104,10 +104,14 @@ export function phase(page, ...names) {
   return page.waitForFunction((wanted) => wanted.includes(document.body.dataset.phase), names);
 }
 
-/** Opens every section and part of one, and waits for those whose content is loaded when they are opened. */
+/** Opens every section and part of one, and waits for those whose content is loaded when they are opened, and for their own parts. */
 export async function openEverything(page) {
-  await page.evaluate(() => document.querySelectorAll('details').forEach((d) => (d.open = true)));
-  await page.waitForFunction(() => [...document.querySelectorAll('details')].every((d) => d.childElementCount > 1));
+  await page.waitForFunction(() => {
+    const all = [...document.querySelectorAll('details')];
+    const filled = all.every((d) => d.open && d.childElementCount > 1 && d.querySelector(':scope > .section-body:empty') === null);
+    all.forEach((d) => (d.open = true));
+    return filled;
+  });
 }
 
 /** Drops a file on the page. */
@@ -220,11 +224,12 @@ export async function storedWith(page, skipped) {
   await until(page, 'the job is stored', isStored);
 }
 
-/** The machine's section, opened; on a phone after the settings. */
+/** The machine's section, opened, with its controls; on a phone after the settings. */
 export async function machineSection(page, size) {
   if (size === SIZES.phone) await page.locator('.sheet-toggle').click();
   const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
   await machine.evaluate((d) => (d.open = true));
+  await machine.getByLabel('Preset').waitFor();
   return machine;
 }
 

@@ -15,7 +15,7 @@ import { Theme } from './core/theme.js';
 import { dock } from './panels/dock.js';
 import { firstMachine } from './panels/first-machine.js';
 import { drawingPanel } from './panels/drawing.js';
-import { machinePanel } from './panels/machine.js';
+import { machineSection } from './panels/machine-section.js';
 import { placementPanel } from './panels/placement.js';
 import { planPanel } from './panels/plan.js';
 import { questionCard } from './panels/question.js';
@@ -109,8 +109,8 @@ export async function startPage(): Promise<void> {
   const quote = laterSection(words.quote.title, async (section) => (await import('./panels/quote.js')).quoteContent(session, section, notify), notify);
   element('top').replaceChildren(...top.nodes);
   element('sections').replaceChildren(
-    firstMachine(session), drawing, machinePanel(session, notify, () => pointer.chooseHome(), () => void pointer.placeJoints(true)), placement, planPanel(session),
-    resultPanel(session, theme, { download: (kind) => void files.download(kind), saveProject: () => void files.saveProject(), saveReport: () => void files.saveReport(), copyProgram: () => void files.copyProgram() }, alternatives), quote);
+    firstMachine(session), drawing, machineSection(session, notify, { chooseHome: () => pointer.chooseHome(), placeJoints: () => void pointer.placeJoints(true) }), placement, planPanel(session),
+    resultPanel(session, theme, { download: (kind) => void files.download(kind), saveProject: () => void files.saveProject(), saveReport: () => void files.saveReport(), copyProgram: () => void files.copyProgram() }, alternatives), quote.root);
   element('dock').append(dock(session, { open: () => files.choose(), program: () => void files.download(session.state.machine?.takes ?? 'gcode'), sheet: () => layout.toggleSheet() }));
   dragSheet(document.querySelector('.dock-state')!, element('sections'), { open: () => document.body.classList.contains('sheet-open'), toggle: () => layout.toggleSheet() });
   element('playback').append(...playbackBar(playback));

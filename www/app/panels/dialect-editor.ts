@@ -5,7 +5,6 @@ import { choose, save } from '../core/files.js';
 import { messageOf } from '../core/strings.js';
 import type { Dialect, MachineProfile } from 'kerfway';
 import type { Session } from '../session/session.js';
-import { dialectOf } from './dialect.js';
 import { words } from '../core/words/index.js';
 
 /** Lines of the preview. */
@@ -83,4 +82,10 @@ export function dialectEditor(session: Session, edit: (change: (m: MachineProfil
   };
   show();
   return { root, show, tryOut };
+}
+
+/** The document of the machine's dialect; undefined while the planner is not there, or does not know the dialect. */
+function dialectOf({ state, catalog }: Session): Dialect | undefined {
+  const dialect = state.machine?.dialect;
+  return typeof dialect === 'object' ? dialect : catalog.planner?.dialects.find((d) => d.name === dialect);
 }

@@ -1,19 +1,11 @@
 /** The dialect of G-code: a shipped one, or one's own. */
 
 import { h } from '../core/dom.js';
-import type { Dialect, MachineProfile } from 'kerfway';
+import type { MachineProfile } from 'kerfway';
 import type { Session } from '../session/session.js';
 import type { DialectEditor } from './dialect-editor.js';
 import { field, laterDetails, select } from './section.js';
 import { words } from '../core/words/index.js';
-
-const shipped = (session: Session) => session.catalog.planner?.dialects ?? [];
-
-/** The document of the machine's dialect; undefined while the planner is not there, or does not know the dialect. */
-export function dialectOf(session: Session): Dialect | undefined {
-  const dialect = session.state.machine?.dialect;
-  return typeof dialect === 'object' ? dialect : shipped(session).find((d) => d.name === dialect);
-}
 
 /** `failed` gets the reason if the editor cannot be loaded. */
 export function dialectPanel(session: Session, edit: (change: (m: MachineProfile) => void) => void, failed: (sentence: string) => void): { root: HTMLElement; show(machine: MachineProfile): void } {
@@ -25,7 +17,7 @@ export function dialectPanel(session: Session, edit: (change: (m: MachineProfile
   details.addEventListener('toggle', () => editor?.tryOut());
   const show = (machine: MachineProfile) => {
     const own = typeof machine.dialect === 'object' ? machine.dialect : null;
-    const names = shipped(session).map((d) => ({ value: d.name, label: d.title }));
+    const names = (session.catalog.planner?.dialects ?? []).map((d) => ({ value: d.name, label: d.title }));
     const name = own === null ? machine.dialect as string : own.name;
     choice.fill(own === null ? names : [...names.filter((n) => n.value !== own.name), { value: own.name, label: w.mine(own.title) }], name);
     editor?.show();

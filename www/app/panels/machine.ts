@@ -1,4 +1,4 @@
-/** The machine: a preset, and its values behind a disclosure. Every change plans again. */
+/** The controls of the machine: a preset, and its values behind a disclosure. Every change plans again. Loaded when the section is first opened. */
 
 import { button, h } from '../core/dom.js';
 import type { MachineProfile } from 'kerfway';
@@ -9,10 +9,11 @@ import { allowPartialCuts, obstacle } from './exclusions.js';
 import { jointsPanel } from './joints.js';
 import { leadsPanel } from './leads.js';
 import { leversPanel } from './levers.js';
+import { isChanged, type MachineActions, presetOf } from './machine-section.js';
 import { skeletonPanel } from './skeleton.js';
 import { materials } from './materials.js';
 import { ownMachines } from './own-machines.js';
-import { check, field, laterDetails, numberInput, section, select } from './section.js';
+import { check, field, laterDetails, numberInput, select } from './section.js';
 import { words } from '../core/words/index.js';
 
 interface Quantity {
@@ -80,9 +81,8 @@ const TRAVELS: { value: MachineProfile['travel']; label: string }[] = [
   { value: 'per-axis', label: words.machine.travel['per-axis'] },
 ];
 
-export function machinePanel(session: Session, notify: (sentence: string) => void, chooseHome: () => void, placeJoints: () => void): HTMLElement {
-  const { root, body, setGist } = section(words.machine.title, false);
-  const preset = () => session.catalog.machines.find((m) => m.name === session.state.machine?.name);
+/** `notify` shows a sentence to the person. */
+export function machineControls(session: Session, notify: (sentence: string) => void, { chooseHome, placeJoints }: MachineActions): HTMLElement {
   const edit = (change: (m: MachineProfile) => void) => {
     const { machine } = session.state;
     if (!machine) return;
@@ -109,7 +109,8 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
   const pausing = check(words.machine.pausing, (on) => edit((m) => (m.sharp_corner = on ? PAUSE : null)));
   const inputs = QUANTITIES.map((q) => quantityInput(q, edit));
   const back = button(words.machine.back, { class: 'small', onclick: () => {
-    const original = preset();
+    const { machine } = session.state;
+    const original = machine && presetOf(session, machine);
     if (original) session.setMachine(structuredClone(original));
   } });
   const dialect = dialectPanel(session, edit, notify);
@@ -121,8 +122,8 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
   const advanced = h('details', { class: 'more' }, h('summary', {}, words.machine.advanced),
     h('div', { class: 'stack' }, field(words.machine.air, travel.root), ...QUANTITIES.flatMap((q, i) => [field(q.label, inputs[i]!.input, q.unit), hintOf(q)]), home.root,
       button(words.machine.start, { class: 'small', onclick: chooseHome }), back));
-  body.append(h('div', { class: 'stack' }, choice.root, library.choice, partialCuts.root, pausing.root, levers.root, leads.root, joints.root, skeleton.root, dialect.root, advanced, library.root, fitting, own.root));
-  const whatElse = sayWhatElse(body);
+  const root = h('div', { class: 'stack' }, choice.root, library.choice, partialCuts.root, pausing.root, levers.root, leads.root, joints.root, skeleton.root, dialect.root, advanced, library.root, fitting, own.root);
+  const whatElse = sayWhatElse(root);
   let shown: MachineProfile | null = null;
 
   const show = () => {
@@ -130,16 +131,13 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     if (!machine) return;
     if (machine !== shown) whatElse.forget();
     shown = machine;
-    const original = preset();
-    const changed = original !== undefined && JSON.stringify(original) !== JSON.stringify(machine);
-    setGist(changed ? words.machine.changed(machine.title) : machine.title);
     choice.fill(session.catalog.machines.map((m) => ({ value: m.name, label: m.title })), machine.name);
     travel.fill(TRAVELS, machine.travel);
     home.input.checked = machine.return_home;
     partialCuts.input.checked = typeof machine.pre_cut_time === 'number';
     pausing.input.checked = Boolean(machine.sharp_corner);
     pausing.bar(obstacle(machine, 'pausing'));
-    back.hidden = !changed;
+    back.hidden = !isChanged(session, machine);
     own.show(machine);
     dialect.show(machine);
     library.show(machine);

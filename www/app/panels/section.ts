@@ -30,10 +30,10 @@ export function laterDetails(title: string, load: () => Promise<HTMLElement>, fa
 }
 
 /** A closed section whose content is loaded when it is opened. `failed`: as above. */
-export function laterSection(title: string, load: (section: Section) => Promise<HTMLElement>, failed: (sentence: string) => void): HTMLElement {
+export function laterSection(title: string, load: (section: Section) => Promise<HTMLElement>, failed: (sentence: string) => void): Section {
   const made = section(title, false);
   fillWhenOpened(made.root, async () => made.body.append(await load(made)), failed);
-  return made.root;
+  return made;
 }
 
 function fillWhenOpened(root: HTMLDetailsElement, fill: () => Promise<void>, failed: (sentence: string) => void): void {
