@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { changedFrom, inBothThemes, serious, shot, still } from './page-pictures.mjs';
-import { openEverything, openPage, phase, SIZES, tap } from './page-support.mjs';
+import { nextFrames, openEverything, openPage, phase, SIZES, tap, until } from './page-support.mjs';
 
 test('everything can be done by keyboard', async (t) => {
   const { page } = await openPage(t);
@@ -34,10 +34,12 @@ test('everything can be done by keyboard', async (t) => {
   await key('t');
   assert.equal(await table.isVisible(), false);
 
+  // The list of keys is loaded when somebody asks for it.
   await key('?');
-  assert.equal(await page.getByRole('dialog', { name: 'Keys' }).isVisible(), true);
+  const keys = page.getByRole('dialog', { name: 'Keys' });
+  await keys.waitFor();
   await key('Escape');
-  assert.equal(await page.getByRole('dialog', { name: 'Keys' }).isVisible(), false);
+  assert.equal(await keys.isVisible(), false);
 
   // The table gave the focus back to its button, which Space would press.
   await page.evaluate(() => document.activeElement.blur());
@@ -62,6 +64,27 @@ test('everything can be done by keyboard', async (t) => {
     assert.ok(reached.includes(name), `${name} is reached by Tab:\n${reached}`);
   }
   for (const line of seen) assert.doesNotMatch(line, / none$/, 'the focus is visible');
+});
+
+test('Escape gives up the list of keys while it is still being loaded; asked for twice, it opens once', async (t) => {
+  // A service worker would fetch the list itself.
+  const { page } = await openPage(t, { hash: 'seconds=0.4', prepare: () => delete Navigator.prototype.serviceWorker });
+  await phase(page, 'done');
+  const waiting = [];
+  await page.route(/later-help-/, (route) => waiting.push(route));
+  const keys = page.getByRole('dialog', { name: 'Keys' });
+  await page.keyboard.press('?');
+  await until(page, 'the list is being loaded', () => waiting.length === 1);
+  await page.keyboard.press('Escape');
+  await waiting[0].continue();
+  await page.waitForFunction(() => performance.getEntriesByType('resource').some(({ name, responseEnd }) => /later-help-/.test(name) && responseEnd > 0));
+  await nextFrames(page, 10);
+  assert.equal(await keys.isVisible(), false);
+  await page.evaluate(() => ['?', '?'].forEach((key) => document.body.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }))));
+  await keys.waitFor();
+  assert.equal(await keys.count(), 1);
+  await page.keyboard.press('Escape');
+  await keys.waitFor({ state: 'hidden' });
 });
 
 test('names, headings, landmarks and contrast hold in both themes', async (t) => {

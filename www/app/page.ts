@@ -4,6 +4,7 @@ import type { Finding } from 'kerfway';
 import { BeforeAfter } from './controllers/before-after.js';
 import { dragSheet } from './controllers/bottom-sheet.js';
 import { Files } from './controllers/files.js';
+import { Help } from './controllers/help.js';
 import { JobView } from './controllers/job-view.js';
 import { bindKeyboard } from './controllers/keyboard.js';
 import { Layout } from './controllers/layout.js';
@@ -33,7 +34,6 @@ import { Preview } from './session/preview.js';
 import { fetchSample, SAMPLES } from './session/samples.js';
 import { Session } from './session/session.js';
 import { translate } from './core/markup.js';
-import { messageOf } from './core/strings.js';
 import { words } from './core/words/index.js';
 import { ramp } from './stage/ramp.js';
 import { Scene } from './stage/scene.js';
@@ -75,11 +75,11 @@ export async function startPage(): Promise<void> {
   };
   const top = topBar(session, files.queue, theme, {
     open: () => files.choose(), sample: (sample) => files.chooseSample(sample),
-    table: () => layout.toggleTable(), help: () => help(), panel: () => layout.togglePanel(), restart: () => void restart(),
+    table: () => layout.toggleTable(), help: () => void help.open(), panel: () => layout.togglePanel(), restart: () => void restart(),
   });
   const layout = new Layout(viewport, { stage: element('stage'), hint: element('hint'), toolbar: tools.root, table: selection.table, card: selection.card.root, toggles: top.toggles });
 
-  const help = () => void import('./panels/help.js').then(({ showHelp }) => showHelp(), (error: unknown) => notify(messageOf(error)));
+  const help = new Help(notify);
   const showPlaceOf = (finding: Finding) => {
     selection.showFinding(finding);
     if (!finding.at) return;

@@ -6,6 +6,7 @@ import type { Session } from '../session/session.js';
 import type { StageSwitches } from '../panels/toolbar.js';
 import type { Viewport } from '../stage/viewport.js';
 import type { Files } from './files.js';
+import type { Help } from './help.js';
 import type { Layout } from './layout.js';
 import type { Pointer } from './pointer.js';
 import type { Selection } from './selection.js';
@@ -22,7 +23,7 @@ interface Parts {
   layout: Layout;
   pointer: Pointer;
   selection: Selection;
-  help: () => void;
+  help: Help;
   flip(what: keyof StageSwitches): void;
 }
 
@@ -46,8 +47,9 @@ export function bindKeyboard({ session, playback, viewport, files, layout, point
     b: () => flip('several'), u: () => selection.toggleGroup(), w: () => selection.selectWhole(), l: () => selection.selectLike(),
     'Ctrl+s': () => void files.saveProject(),
     'Ctrl+z': () => session.undo(), 'Ctrl+Shift+z': redo, 'Ctrl+y': redo,
-    '?': help,
+    '?': () => void help.open(),
     Escape: () => {
+      if (help.cancel()) return;
       if (session.state.refused && session.state.loaded) session.store.refusalSeen();
       else if (pointer.measure(false)) flip('measure');
       else if (!pointer.placeJoints(false) && !pointer.cancelHome() && !pointer.dragJob(false)) selection.clear();
