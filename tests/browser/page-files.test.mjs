@@ -4,9 +4,9 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { SAMPLES } from '../../scripts/samples.mjs';
-import { grid, sample } from './page-drawings.mjs';
+import { beamRuns, grid, sample } from './page-drawings.mjs';
 import { serious, shot } from './page-pictures.mjs';
-import { drop, dropAll, machineSection, openPage, phase, plan, planned, replanned, SIZES } from './page-support.mjs';
+import { drop, dropAll, machineSection, nextFrames, openPage, phase, plan, planned, replanned, SIZES } from './page-support.mjs';
 
 const queue = (page) => page.locator('button.queue');
 const told = (page, words) => page.waitForFunction((w) => document.querySelector('button.queue').textContent.startsWith(w), words);
@@ -153,4 +153,93 @@ test('a click with Shift or a key pins a contour; the list unpins it, undo pins 
   await page.keyboard.up('Shift');
   await page.waitForFunction(() => document.querySelector('.pins')?.textContent.startsWith('Cut first: 1 contour'));
   await shot(page, 'page-pins');
+});
+
+/** Runs in the page: a file whose name begins with "slow" is read when the test releases it, each time that it is read. */
+const slowly = () => {
+  window.reads = [];
+  const { arrayBuffer } = Blob.prototype;
+  Blob.prototype.arrayBuffer = async function () {
+    if (this.name?.startsWith('slow')) await new Promise((release) => window.reads.push(release));
+    return arrayBuffer.call(this);
+  };
+};
+
+/** Waits until a slow file is being read for so many times. */
+const readings = (page, count) => page.waitForFunction((n) => window.reads.length === n, count);
+
+/** Lets one of the readings of slow files end, and gives the page time to go on with it. */
+async function release(page, index) {
+  await page.evaluate((k) => window.reads[k](), index);
+  await nextFrames(page, 10);
+}
+
+const shown = (page) => page.evaluate(() => [document.querySelector('.file-name').textContent, document.body.dataset.phase]);
+
+test('a file that is read slowly does not replace a file or a sample that was chosen later', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4', prepare: slowly });
+  await phase(page, 'done');
+  await drop(page, 'slow.dxf', grid(20));
+  await readings(page, 1);
+  await drop(page, 'later.dxf', grid(9));
+  await planned(page, 'later.dxf', 'done');
+  await release(page, 0);
+  assert.deepEqual(await shown(page), ['later.dxf', 'done']);
+
+  await drop(page, 'slow.dxf', Buffer.from('no drawing'));
+  await readings(page, 2);
+  await page.getByRole('button', { name: 'Samples' }).click();
+  await page.locator('.menu-item', { has: page.getByText('Layers', { exact: true }) }).click();
+  await planned(page, 'layers.dxf', 'done');
+  await release(page, 1);
+  assert.deepEqual(await shown(page), ['layers.dxf', 'done']);
+  assert.equal(await page.locator('.failure').isVisible(), false, 'nor is it refused over the drawing chosen later');
+});
+
+/** Runs in the page: the sample of a first visit arrives when the test sends it. */
+const lateSample = () => {
+  const { fetch } = window;
+  window.fetch = async (what, ...others) => {
+    if (String(what).includes('sheet_500')) await new Promise((send) => (window.sendSample = send));
+    return fetch(what, ...others);
+  };
+};
+
+test('what the page begins with does not replace a file that was dropped before and is read slowly', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4', prepare: `(${slowly})(); (${lateSample})();` });
+  await page.waitForFunction(() => window.sendSample !== undefined && document.querySelector('.dock') !== null);
+  await drop(page, 'slow.dxf', grid(20));
+  await readings(page, 1);
+  await page.evaluate(() => window.sendSample());
+  await nextFrames(page, 20);
+  await release(page, 0);
+  await planned(page, 'slow.dxf', 'done');
+});
+
+test('in a queue, a file that is read slowly is not planned under the name of another that was opened meanwhile', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=2', prepare: slowly });
+  await phase(page, 'done');
+  await dropAll(page, [['slow.dxf', grid(20)], ['other.dxf', grid(30)]]);
+  await readings(page, 1);
+  await queue(page).click();
+  // Opened again while it is being read: the first reading says nothing any more.
+  await page.getByRole('button', { name: /^slow/ }).click();
+  await readings(page, 2);
+  await release(page, 0);
+  assert.deepEqual(await shown(page), ['sheet_500.dxf', 'done']);
+  await queue(page).click();
+  assert.equal(Object.fromEntries(await items(page))['slow.dxf'], 'Planning');
+  await page.getByRole('button', { name: /^other/ }).click();
+  await planned(page, 'other.dxf', 'planning');
+  await release(page, 1);
+  await readings(page, 3);
+  await release(page, 2);
+  await told(page, '2 of 2');
+  await queue(page).click();
+  const saved = [];
+  const both = new Promise((resolve) => page.on('download', (d) => saved.push(d) === 2 && resolve()));
+  await page.getByRole('button', { name: 'G-code of all files' }).click();
+  await both;
+  const cuts = await Promise.all(saved.map(async (d) => [d.suggestedFilename().split('-')[0], beamRuns(readFileSync(await d.path(), 'utf8')).length]));
+  assert.deepEqual(Object.fromEntries(cuts), { slow: 20, other: 30 });
 });

@@ -124,11 +124,7 @@ export async function startPage(): Promise<void> {
   theme.on('change', showTheme);
   showTheme();
 
-  const kept = await keeper.last(location.hash === '');
-  // Not over a file that somebody has dropped by now.
-  if (session.state.phase !== 'starting') return;
-  const isBack = kept !== null && (await files.bringBack(kept, () => void forget()));
-  if (!isBack) await files.openSample(first, sampleBytes);
+  await files.begin(keeper.last(location.hash === ''), () => void forget(), first, sampleBytes);
 }
 
 /** Shows the whole bed and the job. */

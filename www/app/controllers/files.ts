@@ -45,24 +45,33 @@ export class Files {
     void this.openSample(sample, fetchSample(sample));
   }
 
-  /** Opens a sample as soon as its bytes arrive. */
-  async openSample(sample: Sample, bytes: Promise<ArrayBuffer>): Promise<void> {
+  /** Begins with the job that this browser has kept, or with a sample; with nothing where somebody has chosen a file by then. */
+  async begin(kept: Promise<Project | null>, forget: () => void, sample: Sample, bytes: Promise<ArrayBuffer>): Promise<void> {
+    const isLatest = this.latest.watch();
+    const project = await kept;
+    // Without a planner nothing can be opened.
+    if (!isLatest() || this.session.state.phase === 'failed') return;
+    const isBack = project !== null && (await this.bringBack(project, forget, isLatest));
+    if (isLatest() && !isBack) await this.openSample(sample, bytes);
+  }
+
+  private async openSample(sample: Sample, bytes: Promise<ArrayBuffer>): Promise<void> {
     this.queue.leave();
     const isLatest = this.latest.begin();
     try {
       const content = await bytes;
       // A file that was dropped meanwhile is what the person wants.
-      if (isLatest()) await this.session.openSample(sample, content, { ...sample.options, ...this.shared });
+      if (isLatest()) await this.session.openSample(sample, content, { ...sample.options, ...this.shared }, isLatest);
     } catch (error) {
       if (isLatest()) this.session.drawing.refuse(sample.file, error);
     }
   }
 
-  /** Brings back the job that this browser has kept. Resolves to whether that was possible. */
-  async bringBack(project: Project, forget: () => void): Promise<boolean> {
+  /** Resolves to whether the job can be used. */
+  private async bringBack(project: Project, forget: () => void, isLatest: () => boolean): Promise<boolean> {
     this.hideHint();
-    if ((await this.session.openProject(project)) !== null) return false;
-    this.notices.show(words.page.back(project.name), { label: words.page.forget, act: forget });
+    if ((await this.session.openProject(project, isLatest)) !== null) return false;
+    if (isLatest()) this.notices.show(words.page.back(project.name), { label: words.page.forget, act: forget });
     return true;
   }
 
@@ -103,23 +112,27 @@ export class Files {
     save(await writeProject(project), `${baseName(project.name)}.kerfway`, 'application/json');
   }
 
+  /** Resolves to why the file cannot be used, or to null, also where something else was chosen while it was being read. */
   private async open(file: File, load: LoadOptions | null): Promise<string | null> {
     this.hideHint();
-    this.latest.begin();
+    const isLatest = this.latest.begin();
     const { session } = this;
+    const refuse = (error: unknown) => (isLatest() ? session.drawing.refuse(file.name, error) : null);
     const refusal = tooLarge(file.size);
-    if (refusal !== null) return session.drawing.refuse(file.name, new KerfwayError('too-large', refusal));
+    if (refusal !== null) return refuse(new KerfwayError('too-large', refusal));
     let bytes: ArrayBuffer;
     try {
       bytes = await file.arrayBuffer();
     } catch {
-      return session.drawing.refuse(file.name, words.page.unreadable(file.name));
+      return refuse(words.page.unreadable(file.name));
     }
+    // A slow disk or network drive must not replace what was chosen meanwhile.
+    if (!isLatest()) return null;
     if (!isProject(bytes)) return session.open({ bytes, name: file.name }, load ?? this.shared);
     try {
-      return await session.openProject(await readProject(bytes));
+      return await session.openProject(await readProject(bytes), isLatest);
     } catch (error) {
-      return session.drawing.refuse(file.name, error);
+      return refuse(error);
     }
   }
 }

@@ -5,6 +5,7 @@
 
 import type { LoadOptions, MachineProfile } from 'kerfway';
 import { Emitter } from '../core/emitter.js';
+import { Latest } from '../core/latest.js';
 import { messageOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
 import type { Session } from './session.js';
@@ -38,6 +39,8 @@ export class Queue extends Emitter<Events> {
   private opened: Item | null = null;
   /** Whether the drawing of the session is that of the open item: before, it is still the one before it. */
   private isRead = false;
+  /** The openings of items: an item that is opened again has an older one, which says nothing any more. */
+  private readonly latest = new Latest();
 
   constructor(private readonly session: Session, private readonly open: OpenFile) {
     super();
@@ -84,9 +87,10 @@ export class Queue extends Emitter<Events> {
     this.leave();
     item.state = 'planning';
     this.opened = item;
+    const isLatest = this.latest.begin();
     this.emit('change', this.all);
     void this.open(item.file, item.load).then((refusal) => {
-      if (this.opened !== item) return;
+      if (!isLatest() || this.opened !== item) return;
       this.isRead = refusal === null;
       if (refusal === null) void this.follow();
       else this.end(item, 'failed', { sentence: refusal });

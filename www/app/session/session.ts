@@ -55,9 +55,10 @@ export class Session {
     return this.drawing.open(source, { sample: false, load, opened: () => this.begin(null) });
   }
 
-  /** Opens a sample. Its machine, if it has one, is there until the next drawing is opened. */
-  async openSample({ file, machine }: Sample, bytes: ArrayBuffer, load: LoadOptions): Promise<string | null> {
+  /** Opens a sample. Its machine, if it has one, is there until the next drawing is opened. `isWanted`: nothing else was chosen meanwhile. */
+  async openSample({ file, machine }: Sample, bytes: ArrayBuffer, load: LoadOptions, isWanted: () => boolean): Promise<string | null> {
     if (machine) await this.catalog.ready;
+    if (!isWanted()) return null;
     const preset = this.catalog.machines.find((m) => m.name === machine?.preset);
     const lent = machine && preset ? { ...structuredClone(preset), ...machine.changes } : null;
     return this.drawing.open({ bytes, name: file }, { sample: true, load, opened: () => this.begin(lent) });
@@ -73,11 +74,12 @@ export class Session {
     this.store.choose(machine ? { machine, material: null } : own);
   }
 
-  /** Opens a project: its drawing, with everything that was decided about it, and its plan. Resolves as `open` does. */
-  async openProject(project: Project): Promise<string | null> {
+  /** Opens a project: its drawing, with everything that was decided about it, and its plan. `isWanted`: as above. Resolves as `open` does. */
+  async openProject(project: Project, isWanted: () => boolean): Promise<string | null> {
     const { method } = project.planning;
     await this.catalog.ready;
     if (method !== undefined && !this.catalog.methods.some((m) => m.name === method)) await this.catalog.loadPapers();
+    if (!isWanted()) return null;
     const opened = () => {
       this.history.clear();
       this.store.choose(decidedIn(project, this.state, this.catalog.machines));
