@@ -23,11 +23,11 @@ function border(session: Session): Action[] {
 }
 
 function group(session: Session, name: Group): Action[] {
-  const groups = session.state.load.groups ?? [];
-  const now = groups.findLast((g) => g.name === name)?.operation ?? 'cut';
+  const groups = () => session.state.load.groups ?? [];
+  const now = groups().findLast((g) => g.name === name)?.operation ?? 'cut';
   return OPERATIONS.filter((operation) => operation !== now).map((operation) => ({
     label: words.findings.actions[operation],
     name: words.findings.act(words.findings.actions[operation], words.findings.group[name]),
-    act: () => session.drawing.change({ groups: [...groups.filter((g) => g.name !== name), { name, operation }] }),
+    act: () => session.drawing.change({ groups: [...groups().filter((g) => g.name !== name), { name, operation }] }),
   }));
 }

@@ -18,10 +18,14 @@ export class Pins {
   /** The handle that is moved by keyboard: it gets the focus again when its list was made again. */
   private moving: string | null = null;
 
-  constructor(private readonly session: Session, private readonly onContour: (contour: number) => void) {}
+  constructor(private readonly session: Session, private readonly onContour: (contour: number) => void) {
+    // The next choice is made in lists that have the one before, although the drawing is still being read with it.
+    session.store.on('decided', () => this.show());
+  }
 
   show(): void {
     const { load } = this.session.state;
+    this.moving ??= this.root.querySelector<HTMLElement>('[data-grip]:focus')?.dataset.grip ?? null;
     this.root.replaceChildren(...RULES.flatMap((rule) => this.rule(load, rule)), ...freeSequences(load).map((sequence, i) => this.sequence(load, sequence, i)),
       ...(load.together ?? []).map((group) => this.listed(words.drawing.together, group, words.drawing.ungroup, () => withoutGroup(load, group))), ...this.own(load));
     if (this.moving !== null) this.root.querySelector<HTMLElement>(`[data-grip="${this.moving}"]`)?.focus();

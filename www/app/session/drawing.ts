@@ -43,6 +43,8 @@ export class Drawing {
   /** Resolves when the file before has been read. */
   private turn: Promise<void> = Promise.resolve();
   private opened: Source | null = null;
+  /** The options that the shown drawing was read with. */
+  private readWith: LoadOptions = {};
 
   /** `record` is called before each choice that reads the drawing again, so that it can be undone. */
   constructor(private readonly store: Store, private readonly catalog: Catalog, private readonly planning: Planning, private readonly record: () => void) {}
@@ -68,6 +70,7 @@ export class Drawing {
       if (loaded === null) return null;
       this.planning.cancel();
       this.opened = source;
+      this.readWith = load;
       this.answered = new Set(plan === null ? [] : QUESTIONS);
       opened();
       this.store.drawingOpened(loaded, { name: source.name, sample, load });
@@ -113,19 +116,23 @@ export class Drawing {
     const present = keptPlan(this.store.state);
     this.planning.cancel();
     const isLatest = this.latest.begin();
-    const same = sameContours(options, load);
-    this.store.readAgain(options);
+    const same = sameContours(options, this.readWith);
+    this.store.readAgain(options, same);
     try {
       const loaded = await planner.reload(options);
       if (isLatest()) await prepareSlowly(loaded.geometry);
       if (!isLatest()) return;
       this.planning.cancel();
+      this.readWith = options;
       this.store.drawingRead(loaded, { fresh: false, same });
       this.askOrPlan(plan);
     } catch (error) {
       if (!isLatest()) return;
       this.store.notify(messageOf(error));
-      this.store.readAsBefore(load);
+      // A choice before this one may have been overtaken by it: that one is read now.
+      const before = options === load ? this.readWith : load;
+      this.store.readAsBefore(before);
+      if (before !== this.readWith) return this.readAgain(before);
       this.planning.continueFrom(present);
     }
   }
@@ -183,9 +190,10 @@ export class Drawing {
     void this.choose({ ...this.store.state.load, ...options });
   }
 
+  /** What is decided for each layer, also while the drawing is being read again with it. */
   private layers(): LayerChoice[] {
     const { loaded, load } = this.store.state;
-    const known = loaded?.layers.map(({ name, operation }): LayerChoice => ({ ...load.layers?.find((l) => l.name === name), name, operation })) ?? [];
+    const known = loaded?.layers.map(({ name, operation }): LayerChoice => ({ name, operation, ...load.layers?.find((l) => l.name === name) })) ?? [];
     const order = new Map(load.layers?.map((l, i) => [l.name, i]) ?? []);
     return known.sort((a, b) => (order.get(a.name) ?? known.length) - (order.get(b.name) ?? known.length));
   }

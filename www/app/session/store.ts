@@ -19,6 +19,8 @@ interface Events extends Record<string, unknown> {
    * the same as before.
    */
   loaded: { loaded: Loaded; fresh: boolean; same: boolean };
+  /** Something was decided about the contours that are shown, and the drawing is about to be read again with it. */
+  decided: void;
   /** There is no drawing, or none that can be used. */
   cleared: void;
   /** The search has reported its progress. */
@@ -76,14 +78,19 @@ export class Store extends Emitter<Events> {
     this.update({ refused: null });
   }
 
-  /** The same drawing is about to be read with other options. It stays visible until then, so there is no event. */
-  readAgain(load: LoadOptions): void {
+  /**
+   * The same drawing is about to be read with other options. It stays visible until then, so only what lists the decisions about its contours
+   * changes. `same`: the contours and their numbers stay the same.
+   */
+  readAgain(load: LoadOptions, same: boolean): void {
     this.set({ load });
+    if (same) this.emit('decided', undefined);
   }
 
   /** The drawing could not be read with other options. */
   readAsBefore(load: LoadOptions): void {
     this.update({ load });
+    this.emit('decided', undefined);
   }
 
   /** Another drawing was read. */
