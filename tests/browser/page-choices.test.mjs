@@ -86,6 +86,27 @@ test('a contour is pinned, the start is chosen on the sheet, and the address hol
   assert.ok(!(await page.evaluate(() => location.href)).includes('sheet_500'), 'never the drawing');
 });
 
+test('machines with names in any script are saved beside each other', async (t) => {
+  const { page } = await openPage(t);
+  await phase(page, 'planning');
+  await open(page, 'Machine');
+  await open(page, 'Your machines');
+  const titles = ['激光切割机', 'レーザー', '레이저', 'Laser 1.5', 'Laser 1-5', '★', '☆'];
+  for (const title of titles) {
+    await page.getByLabel('Name of your machine').fill(title);
+    await page.getByRole('button', { name: 'Save', exact: true }).click();
+    await page.waitForFunction((t) => document.querySelector('[aria-label=Preset]').selectedOptions[0].textContent === t, title);
+  }
+  const saved = await page.evaluate(() => JSON.parse(localStorage.getItem('kerfway.machines')).map(({ name, title }) => [name, title]));
+  assert.deepEqual(saved, [
+    ['my-激光切割机', '激光切割机'], ['my-レーザー', 'レーザー'], ['my-레이저', '레이저'], ['my-laser-1-5', 'Laser 1.5'], ['my-laser-1-5-2', 'Laser 1-5'], ['my-machine', '★'], ['my-machine-2', '☆'],
+  ]);
+  await phase(page, 'planning', 'done');
+  await page.getByLabel('Name of your machine').fill('レーザー');
+  await page.getByRole('button', { name: 'Save', exact: true }).click();
+  assert.equal(await page.evaluate(() => JSON.parse(localStorage.getItem('kerfway.machines')).length), titles.length, 'the same name takes its place');
+});
+
 test('a machine is saved under a name, exported, deleted and imported', async (t) => {
   const { page } = await openPage(t);
   await phase(page, 'planning');

@@ -4,7 +4,7 @@ import { button, h } from '../core/dom.js';
 import { choose, save } from '../core/files.js';
 import { messageOf } from '../core/strings.js';
 import type { MachineProfile } from 'kerfway';
-import { asFile, deleteMachine, fromFile, named, savedMachines, saveMachine } from '../session/profiles.js';
+import { asFile, deleteMachine, fromFile, named, savedMachines, saveMachine, withOwnName } from '../session/profiles.js';
 import type { Session } from '../session/session.js';
 import { words } from '../core/words/index.js';
 
@@ -34,7 +34,7 @@ export function ownMachines(session: Session, notify: (sentence: string) => void
   } });
   const into = button(words.machine.import, { class: 'small', onclick: () => choose(([file]) => {
     if (file === undefined) return;
-    file.text().then((text) => take(fromFile(text))).catch((error: unknown) => notify(messageOf(error)));
+    file.text().then((text) => take(withOwnName(fromFile(text)))).catch((error: unknown) => notify(messageOf(error)));
   }, { accept: '.json,application/json' }) });
   const root = h('details', { class: 'more' }, h('summary', {}, words.machine.own),
     h('div', { class: 'stack' }, form, h('div', { class: 'row' }, out, into, drop)));

@@ -48,10 +48,18 @@ export function deleteMachine(name: string): boolean {
   return store(savedMachines().filter((m) => m.name !== name));
 }
 
-/** A copy with another title, and a name made from that title. */
+/** A copy with another title, and a name made from the letters and digits of that title, in any script. */
 export function named(profile: MachineProfile, title: string): MachineProfile {
-  const slug = title.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '');
-  return { ...structuredClone(profile), name: `my-${slug || 'machine'}`, title };
+  const slug = title.normalize('NFC').toLowerCase().replace(/[^\p{L}\p{M}\p{N}]+/gu, '-').replace(/^-|-$/g, '');
+  return withOwnName({ ...structuredClone(profile), name: `my-${slug || 'machine'}`, title });
+}
+
+/** A machine that takes the place of none with another title: where its name is taken, it gets a number. */
+export function withOwnName(profile: MachineProfile): MachineProfile {
+  const others = new Set(savedMachines().filter((m) => m.title !== profile.title).map((m) => m.name));
+  let name = profile.name;
+  for (let n = 2; others.has(name); n += 1) name = `${profile.name}-${n}`;
+  return { ...profile, name };
 }
 
 /** The text of an exported machine. */
