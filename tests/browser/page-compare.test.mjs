@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { grid, sample } from './page-drawings.mjs';
 import { changedFrom, serious, shot, still } from './page-pictures.mjs';
-import { download, drop, openPage, phase, planned, SIZES } from './page-support.mjs';
+import { download, drop, machineSection, openPage, openPlanned, phase, planned, replanned, SIZES } from './page-support.mjs';
 
 const total = (page) => page.locator('#playback .whole').textContent();
 /** Seconds of "627 s", "1:52.1", "16:40" and "1:02:03". */
@@ -82,4 +82,19 @@ test('the program is copied, its download carries file, machine and date, and a 
   assert.equal(first, nearest, 'the chart begins with the first path of this drawing');
   // The search before took a second as well; a busy machine may take longer than asked for.
   assert.ok(Number(seconds) < Math.min(most, Math.max(1.9, most - 1)) + 0.1, `the chart counts the seconds of this search only: ${seconds} of ${most}`);
+});
+
+test('what a decision saves is searched for its whole time, also when another order is asked for meanwhile', async (t) => {
+  const page = await openPlanned(t, 'fibre-3kw-thin', 'holes.dxf', grid(150), { hash: 'machine=fibre-3kw-thin&seconds=4&seed=1&units=mm' });
+  const machine = await machineSection(page, SIZES.desktop);
+  await replanned(page, () => machine.getByLabel('Cut rows and grids on the run').check());
+  await page.evaluate(() => [...document.querySelectorAll('details.more')].find((d) => d.textContent.startsWith('What saves what')).setAttribute('open', ''));
+  await page.getByRole('button', { name: 'Work it out' }).click();
+  // The first line needs no search; the next one has begun by then.
+  await page.locator('.savings dd').first().waitFor();
+  const begun = Date.now();
+  await page.getByRole('group', { name: 'Before and after' }).getByRole('button', { name: 'Nearest', exact: true }).click();
+  await page.getByText('Plans without a decision were searched').waitFor();
+  assert.ok(Date.now() - begun > 3500, `4 seconds of search took ${Date.now() - begun} ms`);
+  assert.equal(await page.locator('.savings dt').nth(1).textContent(), 'Cuts on the run');
 });

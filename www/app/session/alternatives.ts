@@ -1,6 +1,6 @@
 /**
  * Other ways to cut the same drawing, for comparison: in the order of the drawing, nearest first, and with one kind of decision left out. A planner
- * of its own works on them, so that the plan on the page goes on.
+ * of its own works on them one after the other, so that the plan on the page goes on, and none ends the search of another.
  */
 
 import { createPlanner, LEVERS, withoutLever, type BestPath, type Lever, type LoadOptions, type PlanOptions, type Planner, type Progress, type Summary } from 'kerfway';
@@ -25,6 +25,8 @@ export interface Saving {
 }
 
 export class Alternatives {
+  /** Resolves when the plan before has been made. */
+  private turn: Promise<unknown> = Promise.resolve();
   private held: { planner: Promise<Planner>; source: unknown; load: LoadOptions } | null = null;
 
   constructor(private readonly session: Session) {
@@ -65,7 +67,13 @@ export class Alternatives {
   }
 
   /** A plan of the current drawing with other options. */
-  private async planned(reading: LoadOptions, planning: PlanOptions): Promise<{ progress: Progress; path: BestPath }> {
+  private planned(reading: LoadOptions, planning: PlanOptions): Promise<{ progress: Progress; path: BestPath }> {
+    const made = this.turn.then(() => this.plan(reading, planning));
+    this.turn = made.catch(() => {});
+    return made;
+  }
+
+  private async plan(reading: LoadOptions, planning: PlanOptions): Promise<{ progress: Progress; path: BestPath }> {
     const { state } = this.session;
     const { load, machine } = state;
     if (machine === null) throw new Error('there is no machine');
