@@ -7,9 +7,9 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { grid } from './page-drawings.mjs';
+import { grid, sample } from './page-drawings.mjs';
 import { shot } from './page-pictures.mjs';
-import { download, drop, openPage, phase, planned, replanned, SIZES, storedWith, tap } from './page-support.mjs';
+import { download, drop, nextFrames, openPage, phase, plan, planned, replanned, SIZES, storedWith, tap, until } from './page-support.mjs';
 
 const CLI = join(dirname(dirname(dirname(fileURLToPath(import.meta.url)))), 'dist', 'sdk', 'cli.js');
 
@@ -167,4 +167,31 @@ test('on a phone a refused file leaves room for the drawing, and can be closed',
   await shot(page, 'refused-phone');
   await tap(page.locator('.failure').getByRole('button', { name: 'Close' }));
   await page.locator('.failure').waitFor({ state: 'hidden' });
+});
+
+test('after a reload, the machine of a sample and the units of a drawing are not settings of later drawings', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
+  await phase(page, 'planning', 'done');
+  await page.getByRole('button', { name: 'Samples' }).click();
+  await page.locator('.menu-item', { has: page.getByText('Perforated plate', { exact: true }) }).click();
+  await planned(page, 'perforated.dxf', 'done');
+  await page.reload();
+  await planned(page, 'sheet_500.dxf', 'done');
+  assert.equal((await plan(page)).machine.name, 'co2-100w');
+
+  const size = () => page.locator('.top .measure').textContent();
+  await done(page, 'millimetres.dxf', grid(12));
+  const before = await size();
+  await drop(page, 'unknown.dxf', sample('no-units.dxf'));
+  await planned(page, 'unknown.dxf', 'question');
+  await page.locator('.card.question .choices button').nth(1).click();
+  await phase(page, 'done');
+  const inches = await size();
+  await page.waitForFunction(() => location.hash.includes('units=in'));
+  await stored(page);
+  await page.reload();
+  await planned(page, 'unknown.dxf', 'done');
+  assert.equal(await size(), inches, 'the drawing itself has its units again');
+  await done(page, 'millimetres.dxf', grid(12));
+  assert.equal(await size(), before);
 });

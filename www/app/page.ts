@@ -27,7 +27,7 @@ import { topBar } from './panels/topbar.js';
 import { playbackBar } from './playback/bar.js';
 import { Playback } from './playback/playback.js';
 import type { Alternatives } from './session/alternatives.js';
-import { read as readAddress } from './session/address.js';
+import { readAddress } from './session/address.js';
 import { Keeper } from './session/keeper.js';
 import { bedAround } from './session/placing.js';
 import { Preview } from './session/preview.js';
@@ -46,7 +46,7 @@ export async function startPage(): Promise<void> {
   const first = SAMPLES[0]!;
   const sampleBytes = fetchSample(first);
   sampleBytes.catch(() => {}); // `openSample` reports it.
-  const shared = readAddress(location.hash);
+  const shared = readAddress();
   const session = new Session(shared);
   const preview = new Preview(session);
   const theme = new Theme();

@@ -6,6 +6,7 @@ import { count, seconds } from '../core/format.js';
 import { words } from '../core/words/index.js';
 import { headline } from '../panels/dock.js';
 import type { Playback } from '../playback/playback.js';
+import { writeAddress } from '../session/address.js';
 import { bedAround, fitsBed, homeAround } from '../session/placing.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
@@ -90,11 +91,9 @@ export class JobView {
     if (state.machine) scene.setPath(null, travelOf(state.machine, state));
   }
 
-  /** Writes the settings to the address if they differ: every write goes to another process of the browser and takes milliseconds. */
   private showAddress(): void {
     const { session } = this.parts;
-    const settings = `#${session.address()}`;
-    if (session.catalog.methods.length > 0 && (location.hash || '#') !== settings) history.replaceState(null, '', settings);
+    if (session.catalog.methods.length > 0) writeAddress(session.address());
   }
 }
 

@@ -1,6 +1,9 @@
 /**
  * Settings in the address, after `#`, so that they can be shared. They are never sent to a server, and the drawing is not among them.
  * Default values are omitted; values that cannot be understood are ignored.
+ *
+ * The page writes the settings of the open drawing there. A reload must not take these for the settings of all later drawings, so the history
+ * of the tab holds the address that the page was opened with.
  */
 
 import { ANCHORS, type CommonCuts, type LoadOptions, type Place, type Unit } from 'kerfway';
@@ -38,8 +41,24 @@ export function written({ machine, search, load, placing }: State, defaults: { m
   return words.toString();
 }
 
+/** The settings that the page begins with. What drawings are read with is that of the address that the page was opened with. */
+export function readAddress(): Shared {
+  return { ...read(location.hash), load: read(openedWith()).load };
+}
+
+/** Writes settings to the address if they differ: every write goes to another process of the browser and takes milliseconds. */
+export function writeAddress(settings: string): void {
+  if ((location.hash || '#') !== `#${settings}`) history.replaceState({ openedWith: openedWith() }, '', `#${settings}`);
+}
+
+function openedWith(): string {
+  const state: unknown = history.state;
+  const before = typeof state === 'object' && state !== null && 'openedWith' in state ? state.openedWith : null;
+  return typeof before === 'string' ? before : location.hash;
+}
+
 /** The settings of an address. */
-export function read(hash: string): Shared {
+function read(hash: string): Shared {
   const words = new URLSearchParams(hash.replace(/^#/, ''));
   const number = (name: string, most: number) => {
     const value = Number(words.get(name) ?? NaN);

@@ -67,11 +67,15 @@ export class Session {
   /** Begins with another drawing, on the machine of a sample or the person's own. */
   private begin(machine: MachineProfile | null): void {
     this.history.clear();
-    const { state, lent } = this;
-    // Once somebody has changed it, the machine of a sample is the person's own.
-    const own = lent?.machine === state.machine ? lent.own : { machine: state.machine, material: state.material };
+    const own = this.own();
     this.lent = machine && { machine, own };
     this.store.choose(machine ? { machine, material: null } : own);
+  }
+
+  /** The person's own machine. Once somebody has changed the machine of a sample, it is their own. */
+  private own(): Pick<State, 'machine' | 'material'> {
+    const { state, lent } = this;
+    return lent?.machine === state.machine ? lent.own : { machine: state.machine, material: state.material };
   }
 
   /** Opens a project: its drawing, with everything that was decided about it, and its plan. `isWanted`: as above. Resolves as `open` does. */
@@ -134,10 +138,10 @@ export class Session {
     if (this.state.opening === null) this.restore(this.history.redo(this.choices()));
   }
 
-  /** The settings, as the part of an address behind `#`. */
+  /** The settings, as the part of an address behind `#`. The machine of a sample is not among them. */
   address(): string {
     const [method] = this.catalog.methods;
-    return written(this.state, { machine: DEFAULT_MACHINE, method: method?.name ?? '', seconds: initialState().search.seconds });
+    return written({ ...this.state, machine: this.own().machine }, { machine: DEFAULT_MACHINE, method: method?.name ?? '', seconds: initialState().search.seconds });
   }
 
   /** One of the outputs of the best plan. */
