@@ -195,3 +195,47 @@ test('after a reload, the machine of a sample and the units of a drawing are not
   await done(page, 'millimetres.dxf', grid(12));
   assert.equal(await size(), before);
 });
+
+test('a job that another tab has deleted, to keep its own, is kept again with its drawing when somebody comes back to it', async (t) => {
+  const { page, url } = await openPage(t, { hash: 'seconds=0.4' });
+  await done(page, 'own.dxf', grid(60));
+  await stored(page);
+  const other = await page.context().newPage();
+  await other.goto(`${url}#seconds=0.4`);
+  await done(other, 'other.dxf', grid(9));
+  await stored(other);
+  /** What is stored: the names of the jobs, and the keys of the drawings. `act` is done to the tables of both. */
+  const kept = (act = '') => page.evaluate(async (act) => {
+    const request = indexedDB.open('kerfway');
+    const database = await new Promise((resolve) => (request.onsuccess = () => resolve(request.result)));
+    const tables = ['jobs', 'drawings'].map((name) => database.transaction(['jobs', 'drawings'], 'readwrite').objectStore(name));
+    if (act === 'delete') for (const table of tables) table.delete(sessionStorage.getItem('kerfway.tab'));
+    const [jobs, keys] = await Promise.all([tables[0].getAll(), tables[1].getAllKeys()].map((r) => new Promise((resolve) => (r.onsuccess = () => resolve(r.result)))));
+    database.close();
+    return [jobs.map((job) => job.name).sort(), keys.length];
+  }, act);
+  // The other tab does that when more than four are open.
+  assert.deepEqual(await kept('delete'), [['other.dxf'], 1]);
+  await page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')));
+  await until(page, 'the job is kept again', async () => (await kept())[0].includes('own.dxf'));
+  assert.deepEqual(await kept(), [['other.dxf', 'own.dxf'], 2]);
+  await page.reload();
+  await planned(page, 'own.dxf', 'done');
+});
+
+test('what is forgotten in one tab is not said to be kept in another', async (t) => {
+  const { page, url } = await openPage(t, { hash: 'seconds=0.4' });
+  await done(page, 'own.dxf', grid(60));
+  await stored(page);
+  const other = await page.context().newPage();
+  await other.goto(url);
+  await planned(other, 'own.dxf', 'done');
+  await stored(other);
+  await other.locator('.notice').getByRole('button', { name: 'Forget it' }).click();
+  await other.getByText('Forgotten: nothing').waitFor();
+  await page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')));
+  await page.waitForFunction(() => document.querySelector('.kept').hidden);
+  await skip(page);
+  await page.reload();
+  await planned(page, 'sheet_500.dxf');
+});

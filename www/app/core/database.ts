@@ -11,6 +11,11 @@ export class Database {
     return result(store.get(key) as IDBRequest<T | undefined>);
   }
 
+  /** Whether there is a value of a key, or of any. */
+  async has(table: string, key?: string): Promise<boolean> {
+    return (await result((await this.open()).transaction(table).objectStore(table).count(key))) > 0;
+  }
+
   /** All keys of a table with their values. */
   async all<T>(table: string): Promise<[key: string, value: T][]> {
     const store = (await this.open()).transaction(table).objectStore(table);

@@ -2,7 +2,8 @@
  * Keeps the current job in this browser, so that a reload, a crash or the next visit brings it back: the drawing, what was decided about it, and
  * its best plan. Samples are not kept. Nothing leaves the machine, and one click forgets everything.
  *
- * Every tab has a job of its own, so that tabs with the same file do not overwrite each other. A new tab begins with the newest job.
+ * Every tab has a job of its own, so that tabs with the same file do not overwrite each other. A new tab begins with the newest job. Where many
+ * tabs are open, one may delete the job of another, which stores it again as soon as somebody comes back to it.
  */
 
 import type { Project } from 'kerfway';
@@ -42,7 +43,7 @@ export class Keeper extends Emitter<Events> {
     };
     session.store.on('change', soon);
     session.store.on('progress', soon);
-    document.addEventListener('visibilitychange', () => document.hidden && void this.keep());
+    document.addEventListener('visibilitychange', () => void this.keep());
   }
 
   /** Whether the current job is stored in this browser. */
@@ -92,6 +93,7 @@ export class Keeper extends Emitter<Events> {
   private async write(): Promise<void> {
     const { session } = this;
     const bytes = session.drawing.source?.bytes ?? null;
+    await this.look();
     if (bytes === null || session.state.sample || bytes === this.forgotten) return;
     const { project } = session;
     if (project === null) return;
@@ -107,6 +109,14 @@ export class Keeper extends Emitter<Events> {
     );
     this.stored = bytes;
     if (isNew) this.emit('change', undefined);
+  }
+
+  /** Looks whether another tab has deleted what is stored. Where it has deleted everything, that is to be forgotten here, too. */
+  private async look(): Promise<void> {
+    if (this.stored === null || this.tab === null || (await this.database.has('drawings', await this.tab))) return;
+    if (!(await this.database.has('jobs'))) this.forgotten = this.stored;
+    this.stored = null;
+    this.emit('change', undefined);
   }
 }
 
