@@ -239,3 +239,43 @@ test('what is forgotten in one tab is not said to be kept in another', async (t)
   await page.reload();
   await planned(page, 'sheet_500.dxf');
 });
+
+test('where the browser blocks site data, the page works, and says once that nothing is kept', async (t) => {
+  const block = () => {
+    for (const name of ['localStorage', 'sessionStorage', 'indexedDB']) {
+      Object.defineProperty(window, name, { get: () => { throw new DOMException('Access is denied for this document.', 'SecurityError'); } });
+    }
+  };
+  const { page } = await openPage(t, { hash: 'seconds=0.4', prepare: block });
+  await phase(page, 'done');
+  const notice = page.locator('.notice');
+  assert.equal(await notice.isVisible(), false, 'nothing of a sample is lost');
+  await done(page, 'own.dxf', grid(20));
+  await notice.getByText('This browser stores nothing for this page').waitFor();
+  assert.equal(await page.locator('.kept').isVisible(), false);
+  await page.evaluate(() => (document.querySelector('.notice').hidden = true));
+  await done(page, 'another.dxf', grid(9));
+  await page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')));
+  await nextFrames(page, 20);
+  assert.equal(await notice.isVisible(), false, 'it is said once');
+  const first = page.locator('.first-machine');
+  await first.getByRole('button', { name: 'Keep this machine' }).click();
+  assert.equal(await first.isVisible(), false);
+});
+
+test('without a secure connection the job is kept, and the clipboard is said to be out of reach', async (t) => {
+  const insecure = () => {
+    delete Navigator.prototype.locks;
+    delete Navigator.prototype.clipboard;
+    delete Navigator.prototype.serviceWorker;
+    delete Crypto.prototype.randomUUID;
+  };
+  const { page } = await openPage(t, { hash: 'seconds=0.4', prepare: insecure });
+  await done(page, 'own.dxf', grid(20));
+  await stored(page);
+  await page.waitForFunction(() => !document.querySelector('.preflight').hidden);
+  await page.getByRole('button', { name: 'Copy', exact: true }).click();
+  await page.getByText('This browser does not let the page write to the clipboard').waitFor();
+  await page.reload();
+  await planned(page, 'own.dxf', 'done');
+});

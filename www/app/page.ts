@@ -75,7 +75,7 @@ export async function startPage(): Promise<void> {
   };
   const top = topBar(session, files.queue, theme, {
     open: () => files.choose(), sample: (sample) => files.chooseSample(sample),
-    table: () => layout.toggleTable(), help: () => void help.open(), panel: () => layout.togglePanel(), restart: () => void restart(),
+    table: () => layout.toggleTable(), help: () => void help.open(), panel: () => layout.togglePanel(), restart: () => void restart(), notKept: () => notify(words.page.nothingKept),
   });
   const layout = new Layout(viewport, { stage: element('stage'), hint: element('hint'), toolbar: tools.root, table: selection.table, card: selection.card.root, toggles: top.toggles });
 

@@ -87,8 +87,11 @@ export class Files {
 
   /** Copies the G-code to the clipboard. */
   async copyProgram(): Promise<void> {
+    // Without a secure connection, the page has no clipboard.
+    const { clipboard } = navigator as { clipboard?: Clipboard };
+    if (clipboard === undefined) return this.notices.show(words.page.notCopied);
     try {
-      await navigator.clipboard.writeText((await this.session.output('gcode')) as string);
+      await clipboard.writeText((await this.session.output('gcode')) as string);
       this.notices.show(words.page.copied);
     } catch (error) {
       this.notices.show(error instanceof DOMException ? words.page.notCopied : messageOf(error));

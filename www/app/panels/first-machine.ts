@@ -13,14 +13,17 @@ export function firstMachine(session: Session): HTMLElement {
   });
   choice.root.classList.add('wide');
   choice.root.setAttribute('aria-label', words.machine.which);
+  let isAnswered = rememberedMachine() !== null;
   const keep = button(words.machine.keep, { class: 'small', onclick: () => {
-    if (session.state.machine) rememberMachine(session.state.machine.name);
+    const { machine } = session.state;
+    if (machine && !rememberMachine(machine.name)) session.store.notify(words.page.nothingKept);
+    isAnswered = true;
     show();
   } });
   const root = h('section', { class: 'first-machine' }, h('p', {}, words.machine.which), choice.root, keep);
   const show = () => {
     const { machine } = session.state;
-    root.hidden = machine === null || rememberedMachine() !== null;
+    root.hidden = machine === null || isAnswered;
     if (machine) choice.fill(session.catalog.machines.map((m) => ({ value: m.name, label: m.title })), machine.name);
   };
   session.store.on('change', show);

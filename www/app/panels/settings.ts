@@ -6,11 +6,14 @@ import { LENGTH_KEY, lengthUnit } from '../core/lengths.js';
 import { menuItem, popover } from '../core/menu.js';
 import { language, LANGUAGE_KEY, LANGUAGES, words } from '../core/words/index.js';
 
-export function settingsMenu(restart: () => void): [opener: HTMLElement, menu: HTMLElement] {
+/** `refused` is called where the browser does not keep the choice. */
+export function settingsMenu(restart: () => void, refused: () => void): [opener: HTMLElement, menu: HTMLElement] {
   const w = words.settings;
   const opener = button(w.title, { icon: 'globe', iconOnly: true, class: 'quiet settings' });
   const choose = (key: string, value: string, now: string) => {
-    if (value !== now && keep(key, value)) restart();
+    if (value === now) return;
+    if (keep(key, value)) restart();
+    else refused();
   };
   const languages = Object.entries(LANGUAGES).map(([code, name]) => {
     const item = menuItem(name, null, code === language, () => choose(LANGUAGE_KEY, code, language));

@@ -21,6 +21,8 @@ export interface TopActions {
   panel(): void;
   /** Reloads the page after another language or unit of lengths was chosen. */
   restart(): void;
+  /** Says that the browser does not keep what was chosen. */
+  notKept(): void;
 }
 
 export function topBar(session: Session, queue: Queue, theme: Theme, actions: TopActions): { nodes: Node[]; toggles: { table: HTMLButtonElement; panel: HTMLButtonElement } } {
@@ -73,7 +75,7 @@ export function topBar(session: Session, queue: Queue, theme: Theme, actions: To
       button(words.top.open, { icon: 'open', class: 'quiet open', 'aria-label': words.top.openFile, onclick: actions.open }),
       samples, popover(samples, words.top.samples, list),
       h('div', { class: 'file' }, name.root, ...fileList(queue), units, unitMenu, measure),
-      h('div', { class: 'tools' }, undo, redo, table, ...settingsMenu(actions.restart), themes, button(words.top.help, { icon: 'help', iconOnly: true, class: 'quiet', onclick: actions.help }), panel),
+      h('div', { class: 'tools' }, undo, redo, table, ...settingsMenu(actions.restart, actions.notKept), themes, button(words.top.help, { icon: 'help', iconOnly: true, class: 'quiet', onclick: actions.help }), panel),
     ],
     toggles: { table, panel },
   };

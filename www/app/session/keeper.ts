@@ -9,6 +9,7 @@
 import type { Project } from 'kerfway';
 import { Database } from '../core/database.js';
 import { Emitter } from '../core/emitter.js';
+import { words } from '../core/words/index.js';
 import type { Session } from './session.js';
 
 /** Milliseconds between two writes: as much work may be lost in a crash. */
@@ -27,7 +28,7 @@ interface Events extends Record<string, unknown> {
 
 export class Keeper extends Emitter<Events> {
   private readonly database = new Database('kerfway', ['jobs', 'drawings']);
-  private readonly before = sessionStorage.getItem(TAB);
+  private readonly before = rememberedTab();
   private tab: Promise<string> | null = null;
   private timer = 0;
   /** The drawing that is stored. */
@@ -35,6 +36,8 @@ export class Keeper extends Emitter<Events> {
   /** The drawing that the person wants forgotten. */
   private forgotten: ArrayBuffer | Uint8Array | null = null;
   private work: Promise<void> = Promise.resolve();
+  /** Whether the person knows that nothing is kept. */
+  private isSaid = false;
 
   constructor(private readonly session: Session) {
     super();
@@ -82,11 +85,14 @@ export class Keeper extends Emitter<Events> {
     return this.keep();
   }
 
-  /** Writes the current job. Where the browser stores nothing, the page works all the same. */
+  /** Writes the current job. Where the browser stores nothing, the page works all the same, and says once what that means. */
   private keep(): Promise<void> {
     clearTimeout(this.timer);
     this.timer = 0;
-    this.work = this.work.then(() => this.write()).catch(() => {});
+    this.work = this.work.then(() => this.write()).catch(() => {
+      if (!this.isSaid) this.session.store.notify(words.page.nothingKept);
+      this.isSaid = true;
+    });
     return this.work;
   }
 
@@ -120,18 +126,32 @@ export class Keeper extends Emitter<Events> {
   }
 }
 
+/** The key of this tab, from before a reload; null for a new tab, or where the browser stores nothing. */
+function rememberedTab(): string | null {
+  try {
+    return sessionStorage.getItem(TAB);
+  } catch {
+    return null;
+  }
+}
+
 /** The key of this tab. A duplicated tab has the key of the tab it comes from, which holds a lock on it, and gets another one. */
 async function ownTab(before: string | null): Promise<string> {
-  const key = before !== null && (await locked(before)) ? before : crypto.randomUUID();
+  const key = before !== null && (await locked(before)) ? before : newKey();
   if (key !== before) await locked(key);
   sessionStorage.setItem(TAB, key);
   return key;
 }
 
-/** Takes the lock of a key until the tab is closed; false if another tab has it. */
-function locked(key: string): Promise<boolean> {
+/** Without a secure connection there is no `crypto.randomUUID`. */
+const newKey = () => crypto.getRandomValues(new Uint32Array(4)).join('-');
+
+/** Takes the lock of a key until the tab is closed; false if another tab has it. Without a secure connection there are no locks. */
+async function locked(key: string): Promise<boolean> {
+  const { locks } = navigator as { locks?: LockManager };
+  if (locks === undefined) return true;
   return new Promise((answer) => {
-    void navigator.locks.request(`${TAB}.${key}`, { ifAvailable: true }, (lock) => {
+    void locks.request(`${TAB}.${key}`, { ifAvailable: true }, (lock) => {
       answer(lock !== null);
       return lock === null ? undefined : new Promise(() => {});
     });

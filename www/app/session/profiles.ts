@@ -4,6 +4,7 @@
  */
 
 import type { MachineProfile } from 'kerfway';
+import { keep } from '../core/kept.js';
 import { words } from '../core/words/index.js';
 
 const KEY = 'kerfway.machines';
@@ -19,13 +20,9 @@ export function rememberedMachine(): string | null {
   }
 }
 
-/** Remembers the chosen machine. */
-export function rememberMachine(name: string): void {
-  try {
-    localStorage.setItem(CHOSEN, name);
-  } catch {
-    // The browser stores nothing for this page: the choice lasts until it is closed.
-  }
+/** Remembers the chosen machine. Returns false where the browser stores nothing: the choice then lasts as long as the page. */
+export function rememberMachine(name: string): boolean {
+  return keep(CHOSEN, name);
 }
 
 /** The machines saved in this browser. */
@@ -82,12 +79,7 @@ export function fromFile(text: string): MachineProfile {
 }
 
 function store(list: MachineProfile[]): boolean {
-  try {
-    localStorage.setItem(KEY, JSON.stringify(list));
-    return true;
-  } catch {
-    return false;
-  }
+  return keep(KEY, JSON.stringify(list));
 }
 
 function isProfile(value: unknown): value is MachineProfile {

@@ -206,6 +206,7 @@ export const de: Words = {
     stays: 'Die jetzige Zeichnung und ihr Plan bleiben, wie sie waren.', close: 'Schließen',
     back: (file) => `${file} ist wieder da, so wie Sie es verlassen haben.`, forget: 'Vergessen', forgotten: 'Vergessen: in diesem Browser ist davon nichts mehr gespeichert.',
     kept: 'In diesem Browser für Ihren nächsten Besuch gespeichert.',
+    nothingKept: 'Dieser Browser speichert nichts für diese Seite: Ihre Arbeit geht verloren, wenn Sie die Seite schließen. Laden Sie das Projekt herunter, um sie zu behalten.',
     pinsGone: 'Die Konturen haben sich geändert; festgelegte und übersprungene Konturen wurden zurückgesetzt.',
   },
 

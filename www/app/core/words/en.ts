@@ -155,6 +155,7 @@ export const en = {
     stays: 'The current drawing and its plan stay as they were.', close: 'Close',
     back: (file: string) => `${file} is back, as you left it.`, forget: 'Forget it', forgotten: 'Forgotten: nothing of it is stored in this browser any more.',
     kept: 'Kept in this browser for your next visit.',
+    nothingKept: 'This browser stores nothing for this page, so your work is lost when you close it. Save the project to keep it.',
     pinsGone: 'The contours have changed, so pinned and skipped contours were reset.',
   },
 

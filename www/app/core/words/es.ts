@@ -206,6 +206,7 @@ export const es: Words = {
     stays: 'El dibujo actual y su plan siguen como estaban.', close: 'Cerrar',
     back: (file) => `${file} ha vuelto, tal como lo dejó.`, forget: 'Olvidarlo', forgotten: 'Olvidado: en este navegador ya no queda nada guardado de ello.',
     kept: 'Guardado en este navegador para su próxima visita.',
+    nothingKept: 'Este navegador no guarda nada de esta página: su trabajo se pierde al cerrarla. Descargue el proyecto para conservarlo.',
     pinsGone: 'Los contornos han cambiado; los contornos fijados y omitidos se han restablecido.',
   },
 
