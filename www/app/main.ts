@@ -14,6 +14,7 @@ import './styles/result.css';
 import './styles/dock.css';
 import './styles/table.css';
 import './styles/stage.css';
+import './styles/narrow.css';
 import { keepForOffline } from './offline/register.js';
 import { startPage } from './page.js';
 import { messageOf } from './core/strings.js';
