@@ -1,13 +1,32 @@
-// Small windows: a phone held upright or sideways, a tablet, a page that is enlarged. Nothing is cut off.
+// Small windows: a phone held upright or sideways, a tablet, a page that is enlarged. Nothing is cut off, and no control covers another.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { sample } from './page-drawings.mjs';
+import { grid, sample } from './page-drawings.mjs';
 import { picture } from './page-pictures.mjs';
-import { drop, openPage, phase } from './page-support.mjs';
+import { drop, openPage, phase, planned } from './page-support.mjs';
 
 /** A phone held sideways, and windows of 1440 × 900 and 1280 × 720 pixels in which the page is enlarged to twice its size. */
 const LOW = [[667, 375], [720, 450], [640, 360]];
+
+/** Phones upright, tablets, and the narrowest window with the panel at the side. */
+const NARROW = [[320, 568], [375, 667], [720, 900], [768, 1024], [834, 1112]];
+
+/** Runs in the page: which of the controls outside the panel are off the screen, or lie over another, for each group of them. */
+const misplaced = () => {
+  const found = [];
+  for (const group of document.querySelectorAll('.top, .toolbar, .playback, .dock, .drawer .dialog-head')) {
+    const boxes = [...group.querySelectorAll('button, select, input, output, .whole, .shortened, .measure')]
+      .filter((e) => e.checkVisibility() && e.getClientRects().length > 0 && !e.closest('[popover]'))
+      .map((e) => [(e.getAttribute('aria-label') ?? e.textContent).slice(0, 30), e.getBoundingClientRect(), e]);
+    for (const [name, box, e] of boxes) {
+      if (box.left < -0.5 || box.right > innerWidth + 0.5 || box.bottom > innerHeight + 0.5) found.push(`${name} is off the screen`);
+      if (e.scrollWidth > e.clientWidth + 1 && e.tagName === 'BUTTON') found.push(`${name} is wider than its button`);
+      for (const [other, b] of boxes) if (box.left < b.left && box.right > b.left + 1 && box.top < b.bottom - 1 && b.top < box.bottom - 1) found.push(`${name} lies over ${other}`);
+    }
+  }
+  return found;
+};
 
 /** Runs in the page: whether an element can be pressed once it is scrolled to. */
 const canBePressed = (element) => {
@@ -26,5 +45,25 @@ for (const [width, height] of LOW) {
     const answers = page.locator('.choices button');
     assert.equal(await answers.count(), 4);
     assert.deepEqual(await answers.evaluateAll((all, can) => all.map((e) => new Function(`return (${can})`)()(e)), String(canBePressed)), [true, true, true, true]);
+  });
+}
+
+for (const [width, height] of NARROW) {
+  // In German, whose words are long.
+  test(`no control is off the screen or over another (${width} × ${height})`, async (t) => {
+    const { page } = await openPage(t, { size: { width, height }, hash: 'seconds=600', prepare: "localStorage.setItem('kerfway.language', 'de')" });
+    await phase(page, 'planning');
+    await drop(page, 'bracket-with-a-rather-long-name.dxf', grid(200));
+    await planned(page, 'bracket-with-a-rather-long-name.dxf', 'planning');
+    await page.keyboard.press('p');
+    await phase(page, 'paused');
+    assert.deepEqual(await page.evaluate(misplaced), [], 'paused');
+    await page.keyboard.press('s');
+    await phase(page, 'done');
+    assert.deepEqual(await page.evaluate(misplaced), [], 'done');
+    await picture(page, `narrow-${width}`);
+    await page.keyboard.press('t');
+    await page.locator('.order-row').nth(1).waitFor();
+    assert.deepEqual(await page.evaluate(misplaced), [], 'with the table');
   });
 }
