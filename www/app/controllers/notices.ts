@@ -19,24 +19,37 @@ export class Notices {
       this.hide();
       action?.act();
     };
+    leave(this.notice);
     this.notice.replaceChildren(h('span', {}, sentence), ...(action ? [button(action.label, { class: 'quiet small', onclick: press })] : []));
     this.notice.hidden = false;
-    clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => this.hide(), SHOWN);
+    this.hideLater();
   }
 
   hide(): void {
+    leave(this.notice);
     this.notice.hidden = true;
+  }
+
+  /** Not under the hands of a person who is about to press its button. */
+  private hideLater(): void {
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => (this.notice.matches(':hover, :focus-within') ? this.hideLater() : this.hide()), SHOWN);
   }
 
   /** Shows why a file cannot be used, until the person has seen it. Where a drawing stays, the card can be closed. */
   showRefusal({ refused, loaded }: State, close: () => void): void {
     if (refused === this.refused) return;
     this.refused = refused;
+    leave(this.failure);
     this.failure.hidden = refused === null;
     if (refused === null) return;
     const { file, sentence } = refused;
     const stays = loaded === null ? [] : [h('p', { class: 'soft' }, words.page.stays), button(words.page.close, { class: 'primary', onclick: close })];
     this.failure.replaceChildren(h('h2', {}, icon('error'), file), h('p', {}, sentence), ...stays);
   }
+}
+
+/** The focus goes to the stage before what has it disappears: the next key acts there, and the next tab goes on from there. */
+function leave(card: HTMLElement): void {
+  if (card.contains(document.activeElement)) document.getElementById('canvas')?.focus();
 }

@@ -3,6 +3,7 @@
 import { type ContourChoice, CORNER_KINDS, LEAD_KINDS, type LeadKind, type Loaded } from 'kerfway';
 import { button, h } from '../core/dom.js';
 import { clock, count, extent, millimetres } from '../core/format.js';
+import { refill } from '../core/refill.js';
 import type { Session } from '../session/session.js';
 import type { Playback } from '../playback/playback.js';
 import { partsOf } from '../session/parts.js';
@@ -48,9 +49,6 @@ export class Tooltip {
 
 /** Numbers of micro-joints that a contour may be given on the card. */
 const COUNTS: readonly number[] = [0, 1, 2, 3, 4, 6, 8];
-
-/** By what a control of the card is known when the card was made again. */
-const nameOfControl = (control: Element | null) => control?.getAttribute('aria-label') || control?.textContent;
 
 export interface CardActions {
   toggleRule(rule: Rule): void;
@@ -99,15 +97,18 @@ export class ContourCard {
       whole.length > contours.length && button(words.contour.whole, { class: 'quiet small', title: words.contour.wholeKey, onclick: () => actions.whole() }),
       like.length > contours.length && button(words.contour.like(count(like.length)), { class: 'quiet small', title: words.contour.likeKey, onclick: () => actions.like() }),
     ];
-    const focused = this.root.contains(document.activeElement) ? nameOfControl(document.activeElement) : null;
-    this.root.replaceChildren(
-      h('div', { class: 'contour-text' }, h('strong', {}, name), h('span', { class: 'soft number' }, facts), why && h('span', { class: 'soft why' }, why)),
+    const rest = [...choices, ...this.choices(loaded, contours)];
+    const text = h('div', { class: 'contour-text' }, h('strong', {}, name), h('span', { class: 'soft number' }, facts), why && h('span', { class: 'soft why' }, why));
+    const controls = [
       h('div', { class: 'contour-steps' },
         single !== null && button(words.contour.before, { icon: 'back', iconOnly: true, class: 'quiet small', onclick: () => actions.step(-1) }),
         single !== null && button(words.contour.next, { icon: 'next', iconOnly: true, class: 'quiet small', onclick: () => actions.step(1) }),
         button(words.contour.close, { icon: 'close', iconOnly: true, class: 'quiet small', onclick: () => actions.close() })),
-      h('div', { class: 'contour-rules', role: 'group', 'aria-label': words.contour.actions }, ...choices, ...this.choices(loaded, contours)));
-    if (focused) [...this.root.querySelectorAll<HTMLElement>('button, select')].find((b) => nameOfControl(b) === focused)?.focus();
+      h('div', { class: 'contour-rules', role: 'group', 'aria-label': words.contour.actions }, ...rest)];
+    // A search brings other facts ten times a second. The controls stay, so that an open list is not closed.
+    const [before, ...shown] = this.root.children;
+    if (before && controls.every((c, i) => shown[i]?.isEqualNode(c))) before.replaceWith(text);
+    else refill(this.root, text, ...controls);
   }
 
   /** The number of micro-joints, the lead and the corners of what is selected, where it can have some. */
@@ -119,8 +120,9 @@ export class ContourCard {
       if (named.length === 0) return null;
       const now = commonChoice(load, named, what);
       const root = h('select', { class: 'small', 'aria-label': label });
-      root.append(h('option', {}, words.contour.byRule), ...values.map((value) => h('option', {}, name(value))));
-      root.selectedIndex = now === undefined ? -1 : now === null ? 0 : values.indexOf(now as V) + 1;
+      // The choice is an attribute, so that controls which show the same are equal.
+      root.append(h('option', { selected: now === null }, words.contour.byRule), ...values.map((value) => h('option', { selected: value === now }, name(value))));
+      if (now === undefined) root.selectedIndex = -1;
       root.addEventListener('change', () => this.actions.choose(what, root.selectedIndex === 0 ? null : values[root.selectedIndex - 1]!));
       return h('label', { class: 'contour-choice' }, h('span', { class: 'soft' }, label), root);
     };

@@ -2,6 +2,7 @@
 
 import { button, h, setText } from '../core/dom.js';
 import { count, extent } from '../core/format.js';
+import { refill } from '../core/refill.js';
 import { activeContours, type Finding, type Loaded } from 'kerfway';
 import type { Keeper } from '../session/keeper.js';
 import type { Preview } from '../session/preview.js';
@@ -42,7 +43,7 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
       return button(words.drawing.copies(count(same.length), extent(x1 - x0, y1 - y0)), { class: 'small number', title: words.drawing.copiesHint, onclick: () => onContours(same.flatMap((p) => parts.contours(p))) });
     };
     const more = repeated.length > COPIES && h('span', { class: 'soft' }, words.drawing.others(count(repeated.length - COPIES)));
-    copies.replaceChildren(...repeated.slice(0, COPIES).map(one), ...(more ? [more] : []));
+    refill(copies, ...repeated.slice(0, COPIES).map(one), ...(more ? [more] : []));
     copies.hidden = repeated.length === 0;
   };
   const showCounts = (loaded: Loaded, contours = activeContours(loaded)) => {
@@ -74,7 +75,7 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
       return;
     }
     const contours = activeContours(loaded);
-    layers.replaceChildren(layerList(session, loaded));
+    refill(layers, layerList(session, loaded));
     pins.show();
     showCounts(loaded, contours);
     showCopies(loaded);
@@ -89,6 +90,8 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
     showCopies(loaded);
   };
   session.store.on('loaded', ({ loaded, fresh }) => {
+    // A field that is typed into does not stay for the layer of another drawing.
+    if (fresh) layers.replaceChildren();
     show();
     // On a low screen the result comes first, unless the person should look at the drawing.
     if (fresh && !session.state.sample) root.open = innerHeight >= ROOMY || needsAttention(loaded);

@@ -5,6 +5,7 @@
 
 import { button, h, icon, setText } from '../core/dom.js';
 import { count } from '../core/format.js';
+import { refill } from '../core/refill.js';
 import { sentenceOf } from '../core/strings.js';
 import type { Finding, Severity } from 'kerfway';
 import { words } from '../core/words/index.js';
@@ -49,7 +50,7 @@ export class FindingList {
       else kinds.set(key, [f]);
     }
     const ordered = [...kinds.keys()].sort((a, b) => Number(a[0]) - Number(b[0]));
-    this.list.replaceChildren(...ordered.map((key) => this.group(kinds.get(key)!)));
+    refill(this.list, ...ordered.map((key) => this.group(kinds.get(key)!)));
   }
 
   /** Opens the list and moves the focus to one finding. */

@@ -2,6 +2,7 @@
 
 import { button, h } from '../core/dom.js';
 import { count } from '../core/format.js';
+import { refill } from '../core/refill.js';
 import { handle, moved } from '../core/sortable.js';
 import type { LoadOptions } from 'kerfway';
 import { withChoice, withoutGroup } from '../session/groups.js';
@@ -26,7 +27,7 @@ export class Pins {
   show(): void {
     const { load } = this.session.state;
     this.moving ??= this.root.querySelector<HTMLElement>('[data-grip]:focus')?.dataset.grip ?? null;
-    this.root.replaceChildren(...RULES.flatMap((rule) => this.rule(load, rule)), ...freeSequences(load).map((sequence, i) => this.sequence(load, sequence, i)),
+    refill(this.root, ...RULES.flatMap((rule) => this.rule(load, rule)), ...freeSequences(load).map((sequence, i) => this.sequence(load, sequence, i)),
       ...(load.together ?? []).map((group) => this.listed(words.drawing.together, group, words.drawing.ungroup, () => withoutGroup(load, group))), ...this.own(load));
     if (this.moving !== null) this.root.querySelector<HTMLElement>(`[data-grip="${this.moving}"]`)?.focus();
     this.moving = null;
