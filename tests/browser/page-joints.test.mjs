@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { circle, dxf, square } from '../package/support.mjs';
 import { shot } from './page-pictures.mjs';
-import { openMachinePart, plan, replanned, SIZES } from './page-support.mjs';
+import { openMachinePart, plan, replanned, SIZES, tap } from './page-support.mjs';
 
 const DRAWING = dxf([...square(20, 20, 40), ...square(75, 20, 40), ...circle(40, 40, 8), ...circle(95, 40, 12)]);
 
@@ -45,3 +45,17 @@ for (const size of ['desktop', 'phone']) {
     assert.equal((await plan(page)).machine.joints, undefined);
   });
 }
+
+test('placing by hand is ended by the button that began it, which fingers can press', async (t) => {
+  const { page, opened: joints } = await openMachinePart(t, 'Micro-joints', 'joints.dxf', DRAWING, { size: SIZES.phone, touch: true });
+  const place = joints.getByRole('button', { name: 'Place by hand' });
+  const state = async () => [await place.getAttribute('aria-pressed'), await page.locator('#canvas').evaluate((c) => c.classList.contains('placing'))];
+  assert.deepEqual(await state(), ['false', false]);
+  await tap(place);
+  assert.deepEqual(await state(), ['true', true]);
+  await tap(place);
+  assert.deepEqual(await state(), ['false', false]);
+  await tap(place);
+  await page.keyboard.press('Escape');
+  assert.deepEqual(await state(), ['false', false]);
+});

@@ -109,7 +109,7 @@ export async function startPage(): Promise<void> {
   const quote = laterSection(words.quote.title, async (section) => (await import('./panels/quote.js')).quoteContent(session, section, notify), notify);
   element('top').replaceChildren(...top.nodes);
   element('sections').replaceChildren(
-    firstMachine(session), drawing, machineSection(session, notify, { chooseHome: () => pointer.chooseHome(), placeJoints: () => void pointer.placeJoints(true) }), placement, planPanel(session),
+    firstMachine(session), drawing, machineSection(session, notify, { chooseHome: () => pointer.chooseHome(), placeJoints: (show) => pointer.togglePlacing(show) }), placement, planPanel(session),
     resultPanel(session, theme, { download: (kind) => void files.download(kind), saveProject: () => void files.saveProject(), saveReport: () => void files.saveReport(), copyProgram: () => void files.copyProgram() }, alternatives), quote.root);
   element('dock').append(dock(session, { open: () => files.choose(), program: () => void files.download(session.state.machine?.takes ?? 'gcode'), sheet: () => layout.toggleSheet() }));
   dragSheet(document.querySelector('.dock-state')!, element('sections'), { open: () => document.body.classList.contains('sheet-open'), toggle: () => layout.toggleSheet() });

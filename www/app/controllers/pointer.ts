@@ -32,6 +32,8 @@ export class Pointer {
   private clickedAt = -Infinity;
   /** Clicks place micro-joints. */
   private placingJoints = false;
+  /** Shows whether they do, on the button that began it. */
+  private showPlacing: (on: boolean) => void = () => undefined;
   /** Clicks measure; the points so far. */
   private measured: { points: Measured } | null = null;
 
@@ -59,10 +61,17 @@ export class Pointer {
     return true;
   }
 
-  /** Lets clicks place micro-joints on contours and remove them, or ends that. Returns whether it was going on. */
+  /** Lets clicks place micro-joints on contours and remove them, or ends that if they do already. `show` is told so, and when it ends in another way. */
+  togglePlacing(show?: (on: boolean) => void): void {
+    if (show) this.showPlacing = show;
+    this.placeJoints(!this.placingJoints);
+  }
+
+  /** The same by a choice. Returns whether it was going on. */
   placeJoints(on: boolean): boolean {
     const before = this.placingJoints;
     this.placingJoints = on;
+    this.showPlacing(on);
     this.canvas.classList.toggle('placing', on);
     if (on) this.notices.show(words.joints.placing);
     else if (before) this.notices.hide();

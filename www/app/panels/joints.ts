@@ -32,7 +32,7 @@ export interface JointsPanel {
   show(machine: MachineProfile, load: LoadOptions): void;
 }
 
-export function jointsPanel(session: Session, edit: (change: (m: MachineProfile) => void) => void, place: () => void): JointsPanel {
+export function jointsPanel(session: Session, edit: (change: (m: MachineProfile) => void) => void, place: (show: (on: boolean) => void) => void): JointsPanel {
   let now: JointPattern = DEFAULT_JOINTS;
   const set = (change: Partial<JointPattern>) => edit((m) => (m.joints = jointRules({ ...now, ...change })));
   const on = check(w.on, (checked) => edit((m) => {
@@ -49,7 +49,9 @@ export function jointsPanel(session: Session, edit: (change: (m: MachineProfile)
   const custom = h('div', { class: 'stack' }, h('p', { class: 'soft' }, w.custom), button(w.replace, { class: 'small', onclick: () => edit((m) => (m.joints = jointRules())) }));
   const placed = h('span', { class: 'soft' });
   const clear = button(w.clear, { class: 'quiet small', onclick: () => session.drawing.change({ joints: [] }) });
-  const byHand = h('div', { class: 'by-hand' }, button(w.place, { class: 'small', title: w.placing, onclick: place }), placed, clear);
+  // The button that began it ends it: fingers have no Escape.
+  const placing = button(w.place, { class: 'small', title: w.placing, 'aria-pressed': false, onclick: () => place((on) => placing.setAttribute('aria-pressed', String(on))) });
+  const byHand = h('div', { class: 'by-hand' }, placing, placed, clear);
   const gist = h('span', { class: 'soft' });
   return {
     root: h('details', { class: 'more' }, h('summary', {}, w.title, ' ', gist), h('div', { class: 'stack' }, on.root, simple, custom, byHand)),

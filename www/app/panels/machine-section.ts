@@ -9,8 +9,8 @@ import { laterSection } from './section.js';
 export interface MachineActions {
   /** Lets the person choose where the head starts. */
   chooseHome(): void;
-  /** Lets the person place micro-joints by hand. */
-  placeJoints(): void;
+  /** Lets the person place micro-joints by hand, or ends that; `show` hears whether they are being placed. */
+  placeJoints(show: (on: boolean) => void): void;
 }
 
 /** `notify` shows a sentence to the person. */

@@ -330,7 +330,7 @@ export const de: Words = {
     kinds: { stop: 'Anhalten und einstechen', flying: 'Weiterfahren' },
     about: 'Kurze Stücke einer Kontur bleiben ungeschnitten, damit ihr Stück weder fällt noch kippt. Die Schnittfuge kommt zur Breite dazu. Stege bleiben von Ecken, Anfahrten und anderen Schnitten weg; wo einer nicht passt, steht es unter Befunde.',
     custom: 'Diese Maschine hat eigene Regeln für Stege.', replace: 'Durch eine Regel ersetzen', ownRules: 'eigene Regeln',
-    place: 'Von Hand setzen', placing: 'Klicken Sie auf eine Kontur, wo sie gehalten werden soll; ein Klick auf einen Steg entfernt ihn. Esc beendet es.', clear: 'Alle entfernen',
+    place: 'Von Hand setzen', placing: 'Klicken Sie auf eine Kontur, wo sie gehalten werden soll; ein Klick auf einen Steg entfernt ihn. Die Schaltfläche oder Esc beendet es.', clear: 'Alle entfernen',
     placed: (n, written) => `${counted(n, written, 'Steg', 'Stege')} von Hand`,
   },
 

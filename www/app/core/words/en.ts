@@ -279,7 +279,7 @@ export const en = {
     kinds: { stop: 'Stop and pierce', flying: 'Keep moving' } satisfies Record<JointKind, string>,
     about: 'Short lengths of a contour stay uncut, so that its piece neither falls nor tips. The kerf is added to the width. Where one does not fit, Findings say so.',
     custom: 'This machine has joint rules of its own.', replace: 'Replace them by one rule', ownRules: 'own rules',
-    place: 'Place by hand', placing: 'Click a contour where it should be held; click a joint to remove it. Esc ends it.', clear: 'Remove all',
+    place: 'Place by hand', placing: 'Click a contour where it should be held; click a joint to remove it. The button or Esc ends it.', clear: 'Remove all',
     placed: (n: number, written: string) => `${counted(n, written, 'joint')} by hand`,
   },
 

@@ -330,7 +330,7 @@ export const es: Words = {
     kinds: { stop: 'Parar y perforar', flying: 'Seguir en marcha' },
     about: 'Tramos cortos de un contorno quedan sin cortar, para que su pieza ni caiga ni se levante. A la anchura se suma la del corte. Las uniones evitan esquinas, entradas y otros cortes; donde una no cabe, se dice en Avisos.',
     custom: 'Esta máquina tiene reglas propias de uniones.', replace: 'Sustituirlas por una regla', ownRules: 'reglas propias',
-    place: 'Colocar a mano', placing: 'Haga clic en un contorno donde deba sujetarse; un clic en una unión la quita. Esc termina.', clear: 'Quitar todas',
+    place: 'Colocar a mano', placing: 'Haga clic en un contorno donde deba sujetarse; un clic en una unión la quita. El botón o Esc lo termina.', clear: 'Quitar todas',
     placed: (n, written) => `${counted(n, written, 'unión', 'uniones')} a mano`,
   },
 

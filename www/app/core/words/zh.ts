@@ -327,7 +327,7 @@ export const zh: Words = {
     kinds: { stop: '停下并穿孔', flying: '继续运动' },
     about: '轮廓上留下短段不切，使切下的部分既不掉落也不翘起。宽度之外再加上割缝。连接避开拐角、引线和其他切割；放不下时会在检查结果中说明。',
     custom: '此机器有自己的微连接规则。', replace: '用一条规则替换', ownRules: '自有规则',
-    place: '手动放置', placing: '在轮廓上要固定的地方单击；单击连接可将其移除。Esc 结束。', clear: '全部移除',
+    place: '手动放置', placing: '在轮廓上要固定的地方单击；单击连接可将其移除。再按按钮或 Esc 结束。', clear: '全部移除',
     placed: (_n, written) => `手动放置 ${written} 个`,
   },
 
