@@ -107,11 +107,14 @@ impl Job {
         }
     }
 
-    /// Refuses programs that would leave the bed.
+    /// Refuses programs that would leave the bed, on a cut or between cuts. A home beyond the bed has a sentence of its own.
     fn check_bed(&self) -> Result<(), JobError> {
         let run = self.run()?;
-        let [x0, y0, x1, y1] = run.plan(self.beam_sheet()).summary.bounds;
-        run.placed.check(&Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) })
+        let plan = run.plan(self.beam_sheet());
+        let [x0, y0, x1, y1] = plan.summary.bounds;
+        let cuts = Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) };
+        let ends = plan.moves.iter().filter_map(plan::Move::end).filter(|end| *end != run.machine.home());
+        run.placed.check(&ends.fold(cuts, Aabb::with))
     }
 
     /// What a price needs of the best plan so far, which is checked first. A material that the machine has no setting for, or

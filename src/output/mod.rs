@@ -22,9 +22,7 @@ mod svg;
 mod work_order;
 
 pub use dxf::{dxf, remainder};
-pub use gcode::{
-    Check, CheckCode, CheckProblem, JobFacts, OutputError, check, check_against, fits_bed, gcode,
-};
+pub use gcode::{Check, CheckCode, CheckProblem, JobFacts, OutputError, check, check_against, gcode};
 pub use json::{json_text, sha256};
 pub use kind::OutputKind;
 pub use lbrn2::lbrn2;

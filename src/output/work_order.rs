@@ -5,7 +5,7 @@
 //! bytes as natively, where the order does not leave memory.
 
 use super::gcode::{self, Check, JobFacts, OutputError};
-use super::{OutputKind, SheetFacts, dxf, fits_bed, lbrn2, rd, remainder, svg};
+use super::{OutputKind, SheetFacts, dxf, lbrn2, rd, remainder, svg};
 use crate::fields::through_value;
 use crate::finding::Severity;
 use crate::geometry::Segment;
@@ -113,10 +113,9 @@ impl WorkOrder {
         let facts =
             JobFacts { name: &self.name, hash: Some(&self.sha256), material: self.material.as_deref() };
         let text = gcode::gcode(plan, sheet, machine, facts, *start)?;
-        // Whether the job is allowed on this bed has been decided before, with the options of its placement.
-        let anywhere = Profile { bed: None, ..machine.clone() };
-        let mut check = gcode::check_against(&text, &anywhere, plan).map_err(OutputError::Dialect)?;
-        check.fits_bed = fits_bed(&check, machine).filter(|_| start.is_absolute());
+        // Where the head stands on the bed is known to the person only.
+        let placed = Profile { bed: machine.bed.filter(|_| start.is_absolute()), ..machine.clone() };
+        let check = gcode::check_against(&text, &placed, plan).map_err(OutputError::Dialect)?;
         Ok((text, check))
     }
 }

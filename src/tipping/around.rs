@@ -46,7 +46,8 @@ impl Zones {
                 return None;
             }
             let octagons = new.iter().filter_map(|&k| self.pieces.get(k));
-            for place in octagons.flat_map(|p| p.octagon(self.reach * STAND_OFF)) {
+            for corner in octagons.flat_map(|p| p.octagon(self.reach * STAND_OFF)) {
+                let place = self.bed.map_or(corner, |bed| corner.clamp(bed.min, bed.max));
                 // A place is of use if it is on a way that is fast enough, and clear.
                 let fast = self.down.seconds(from, place) + self.down.seconds(place, to) < limit;
                 if fast && !self.is_near(place, is_free) {

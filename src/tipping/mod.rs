@@ -11,7 +11,8 @@
 //! not past it or across it.
 //!
 //! [`Zones::leg`] finds the way with the fewest seconds: straight if that crosses nothing, otherwise around or with the head
-//! lifted. Ways around have their corners at the octagons around the pieces in the way, a small visibility graph.
+//! lifted. Ways around have their corners at the octagons around the pieces in the way, a small visibility graph. They stay on
+//! the bed: a corner that is beyond its edge is moved to the edge.
 //!
 //! Nothing here knows contours, so that the search can use it.
 
@@ -37,6 +38,8 @@ pub struct Zones {
     down: AirTime,
     lifted: Option<AirTime>,
     avoids: bool,
+    /// Ways around pieces stay on the bed.
+    bed: Option<Aabb>,
 }
 
 /// How a move with the beam off gets from one place to another.
@@ -74,6 +77,7 @@ impl Zones {
             down: AirTime::head_down(machine),
             lifted: AirTime::lifted_always(machine),
             avoids: tips.avoids(),
+            bed: machine.bed(),
         })
     }
 
@@ -222,5 +226,30 @@ mod tests {
         let leg = zones.leg(p(-50.0, 34.0), p(70.0, 34.0), |_| true);
         let LegWay::Around(places) = leg.way else { panic!("{leg:?}") };
         assert!(places.iter().all(|place| place.y > 68.0 || place.y < 0.0), "{places:?}");
+    }
+
+    #[test]
+    fn ways_stay_on_the_bed() {
+        let (from, to) = (p(-50.0, 8.0), p(70.0, 8.0));
+        let leg = |bed: Option<[f64; 4]>| {
+            let machine = Profile { bed, ..machine(5.0) };
+            Zones::new(&machine, vec![square(0.0, 0.0, 20.0)]).unwrap().leg(from, to, |_| true)
+        };
+        let sides = |leg: &Leg| match &leg.way {
+            LegWay::Around(places) => places.iter().map(|p| (p.y - 10.0).signum()).collect(),
+            _ => Vec::new(),
+        };
+        // Below the square is nearer, above it there is room on this bed, and on that one there is none.
+        assert_eq!(sides(&leg(None)), [-1.0; 2]);
+        let above = leg(Some([-60.0, -4.0, 80.0, 100.0]));
+        assert_eq!(sides(&above), [1.0; 2]);
+        assert!(above.seconds > leg(None).seconds);
+        assert_eq!(leg(Some([-60.0, -4.0, 80.0, 24.0])).way, LegWay::Lifted);
+        // The corners of the octagon are 3 mm beside the square, 1 mm of which is on this bed.
+        let narrow = leg(Some([-60.0, -30.0, 21.0, 30.0]));
+        assert!(
+            matches!(&narrow.way, LegWay::Around(places) if places.iter().all(|p| p.x <= 21.0)),
+            "{narrow:?}"
+        );
     }
 }

@@ -43,7 +43,7 @@ use crate::machine::dialect::{Dialect, Pierce, PierceBy};
 use crate::machine::{Profile, Start, far_out};
 use crate::plan::{Move, Plan, Way};
 use beam::Beam;
-pub use check::{Check, CheckCode, CheckProblem, check, check_against, fits_bed};
+pub use check::{Check, CheckCode, CheckProblem, check, check_against};
 use facts::Facts;
 pub use facts::JobFacts;
 use pen::Pen;

@@ -24,6 +24,8 @@ const BEGINS: f64 = 0.02;
 const NEARER: f64 = 0.05;
 /// How much farther from a piece a move may be that is said to cross it, mm.
 const SLACK: f64 = 0.2;
+/// How far beyond the edge of the bed a way around may be, mm: rounding.
+const OFF_BED: f64 = 1e-6;
 /// Distance between the places along a move, mm, and their largest number.
 const STEP: f64 = 0.25;
 const MOST: f64 = 2000.0;
@@ -48,7 +50,12 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     let tips = machine.levers.tips;
     let avoids = tips.is_some_and(|t| t.risky_moves == RiskyMoves::Avoid);
     for (step, m) in plan.moves.iter().enumerate() {
-        let Move::Air { way, .. } = m else { continue };
+        let Move::Air { to, way } = m else { continue };
+        if let (Way::Around, Some([x0, y0, x1, y1])) = (way, machine.bed)
+            && !(x0 - OFF_BED..=x1 + OFF_BED).contains(&to.x) | !(y0 - OFF_BED..=y1 + OFF_BED).contains(&to.y)
+        {
+            found.push(Violation::OffBed { step, at: *to });
+        }
         let asked = match way {
             Way::Plain => true,
             Way::Crosses => tips.is_some(),

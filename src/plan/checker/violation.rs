@@ -186,6 +186,14 @@ pub enum Violation {
         /// Position on the move, mm.
         at: DVec2,
     },
+    /// A way around tipped pieces leaves the bed.
+    #[error("move {step}: the head goes around a tipped piece beyond the bed, at {at}")]
+    OffBed {
+        /// Which move.
+        step: usize,
+        /// Where it goes, mm.
+        at: DVec2,
+    },
     /// An air move is lifted or goes around where the machine does not ask for it.
     #[error(
         "move {step}: the head goes around tipped pieces or over them, which the machine does not ask for"

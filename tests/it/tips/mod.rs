@@ -1,6 +1,7 @@
 //! What falls, what tips (`levers.tips`): which pieces may tip, ways past them, what the search finds and what the checker says.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests stop where they cannot go on")]
 
+mod bed;
 mod chains;
 mod checker;
 mod fly;

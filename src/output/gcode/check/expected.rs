@@ -11,6 +11,8 @@ pub(super) struct Expected {
     /// Whether Kerfway wrote the program, and so keeps its own stricter rules: power 0 on every rapid, no cut without
     /// power, no waits but those of the machine.
     pub(super) by_kerfway: bool,
+    /// Whether it may leave the bed: that of a plan has been decided before.
+    pub(super) may_leave_bed: bool,
     /// Number of contours, as the header counts them.
     pub(super) contours: Option<u32>,
     /// Number of stretches that are cut, each with its own comment.
@@ -53,6 +55,7 @@ impl Expected {
         let sums = &plan.summary;
         Self {
             by_kerfway: true,
+            may_leave_bed: true,
             contours: Some(sums.contours),
             stretches: Some(count_of(plan)),
             pierces: Some(sums.pierces),

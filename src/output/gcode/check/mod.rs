@@ -17,7 +17,7 @@ mod rules;
 mod words;
 
 pub use problem::{Code as CheckCode, Problem as CheckProblem};
-pub use report::{Check, fits_bed};
+pub use report::Check;
 
 use crate::machine::Profile;
 use crate::machine::dialect::Dialect;
@@ -34,7 +34,8 @@ pub fn check(program: &str, profile: &Profile) -> Result<Check, String> {
     Ok(run(program, profile, &dialect, None))
 }
 
-/// Checks a program against the plan it was written from.
+/// Checks a program against the plan it was written from. Whether that may leave the bed has been decided before, with the options of
+/// its placement, so here it is no problem.
 ///
 /// # Errors
 /// The machine's dialect cannot be used.

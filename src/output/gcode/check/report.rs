@@ -109,12 +109,6 @@ pub(super) fn figures(program: &Program, cuts: &[Cut], profile: &Profile) -> Fig
     }
 }
 
-/// Whether what a program cuts lies on the bed of a machine; `None` if the bed is not known.
-pub fn fits_bed(check: &Check, profile: &Profile) -> Option<bool> {
-    let [x0, y0, x1, y1] = check.bounds?;
-    fits(&Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) }, profile)
-}
-
 fn fits(reach: &Aabb, profile: &Profile) -> Option<bool> {
     let [x0, y0, x1, y1] = profile.bed?;
     let bed = Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) };

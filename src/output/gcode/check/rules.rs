@@ -142,7 +142,7 @@ pub(super) fn compare(
             "The program ends without switching the beam off.".into()
         });
     }
-    if figures.fits_bed == Some(false) {
+    if figures.fits_bed == Some(false) && !e.may_leave_bed {
         problems.error(Code::OffBed, None, || "The head leaves the bed of the machine.".into());
     }
     once(figures, e, problems);
