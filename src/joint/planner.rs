@@ -227,11 +227,10 @@ impl<'a> Grid<'a> {
         })
     }
 
-    /// Whether a joint keeps its distance from others.
+    /// Whether a joint keeps its distance from others. A joint alone has the rest of the contour as its stretch.
     fn is_apart(&self, at: f64, others: &[f64]) -> bool {
         let least = (1.0 + LEAST_STRETCH) * self.room.gap - SLACK;
-        // A joint alone has the whole contour as its stretch.
-        others.iter().all(|&o| self.room.apart(at, o) >= least)
+        self.room.whole >= least && others.iter().all(|&o| self.room.apart(at, o) >= least)
     }
 
     /// Lengths between neighbouring joints, each with the place of the joint before it; `places` are in order.

@@ -111,6 +111,10 @@ impl On<'_> {
         let few = (middles.len() as f64) < f64::from(rule.count.max(1));
         let step = (self.gap / FINE).max(whole / MOST_PLACES);
         let room = MORE_ROOM * self.gap + whole / 4096.0;
+        // A joint is at most a third of its contour.
+        if whole < 3.0 * self.gap + room {
+            return None;
+        }
         let mut at = 0.0;
         while at < whole {
             // How far a joint here is from its neighbours, ahead and behind.

@@ -1,5 +1,6 @@
 //! Where joints are: by rule and by hand, never in corners or shared cuts, and what is said where they do not fit.
 
+use crate::testkit::exact::planned;
 use crate::testkit::joints::{rule, with_joints};
 use crate::testkit::leads::oriented;
 use crate::testkit::sheets::{Builder, circle, machine, p, polygon, rectangle};
@@ -7,6 +8,7 @@ use kerfway::finding::{Code, Finding};
 use kerfway::geometry::DVec2;
 use kerfway::joint::{ContourJoints, Planner, Refusal, findings};
 use kerfway::machine::{JointKind, JointRule, LeadSide, Profile};
+use kerfway::plan;
 use kerfway::sheet::{HandJoint, Sheet};
 
 fn joints(sheet: &Sheet, machine: &Profile, contour: u32) -> ContourJoints {
@@ -198,4 +200,38 @@ fn contours_that_cannot_have_joints_are_refused() {
     machine.cut.passes = 2;
     assert_eq!(refused(&sheet, &machine, 0), Some(Refusal::Passes));
     assert!(told(&sheet, &machine).iter().all(|f| f.code == Code::JointMissing));
+}
+
+/// A contour of which a joint is more than a third got one all the same, and then no plan passed the check.
+#[test]
+fn a_contour_that_is_too_short_for_a_joint_is_planned_without_one() {
+    let mut b = Builder::new();
+    let plate = b.cut(rectangle(p(10.0, 10.0), p(100.0, 60.0)), None);
+    // 1.26 mm and 3.77 mm around; a joint leaves 0.7 mm uncut.
+    b.cut(circle(p(50.0, 40.0), 0.2), Some(plate));
+    b.cut(circle(p(80.0, 40.0), 0.6), Some(plate));
+    let mut sheet = oriented(b.sheet);
+    let mut machine = with_joints(machine("co2-100w"), vec![rule(2, JointKind::Stop)]);
+    machine.kerf_width = 0.2;
+    let counts = |sheet: &Sheet| [0, 1, 2].map(|c| joints(sheet, &machine, c).joints.len());
+    assert_eq!(counts(&sheet), [2, 0, 1]);
+    let missing = told(&sheet, &machine);
+    assert_eq!(missing[0].code, Code::JointMissing);
+    assert_eq!(
+        missing[0].message,
+        "Contour 1 has 0 of 2 micro-joints: there is no room for more. Allow narrower joints or less distance from corners."
+    );
+    assert_eq!(missing[0].at, Some(sheet.contours[1].path.start().unwrap()));
+    let plan = planned(&sheet, &machine);
+    assert_eq!(plan::check(&sheet, &machine, &plan), Ok(()));
+    assert_eq!(plan.summary.joints, 3);
+    // By hand it is the same.
+    sheet.joints = vec![HandJoint { contour: 1, at: 0.25 }];
+    assert_eq!(counts(&sheet), [2, 0, 1]);
+    let left_out = told(&sheet, &machine);
+    assert!(
+        left_out.iter().any(|f| f.message.starts_with("A micro-joint of contour 1 was left out")),
+        "{left_out:?}"
+    );
+    assert_eq!(plan::check(&sheet, &machine, &planned(&sheet, &machine)), Ok(()));
 }
