@@ -3,7 +3,8 @@
 //! A lead keeps `clearance` from every other contour that is cut, along its whole length. Where a contour shares a side
 //! with another one, the outline of that other one counts too, so that no lead begins on such a side. From its own contour
 //! a lead keeps the clearance beyond a *window* around the place where they join. Within the window it comes near by
-//! nature: there it must not touch the contour again, and its end has to stay half as far away as it is deep.
+//! nature: there it must not touch the contour again, and has to stay half as far away as it is deep. As it gets deeper on its
+//! way, this is asked of its halves, quarters and so on (`stages`), each as deep as where it begins, and of its end.
 
 use super::shape::Outwards;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Segment, distance, winding};
@@ -17,6 +18,10 @@ const WINDOW: f64 = 2.0;
 const JOINT: f64 = 0.05;
 /// Distance within which a lead touches its own contour, mm: a tenth of the finest coordinates that controllers take.
 const TOUCHING: f64 = 1e-4;
+/// Distance that a lead keeps from its own contour, in depths.
+const KEPT: f64 = 0.5;
+/// Where stages of a lead begin, as fractions of its length; the last one ends with it. What comes before them is next to the joint.
+const STAGES: [f64; 4] = [0.0625, 0.125, 0.25, 0.5];
 
 /// All cuts, and where leads may be.
 pub(crate) struct Scrap<'s> {
@@ -98,10 +103,14 @@ impl<'s> Scrap<'s> {
         let window =
             Window { along: joint.along, half: WINDOW * (length + self.clearance), whole: own.length };
         let reach = self.reach();
-        let least_tip = self.clearance.min(0.5 * lead.depth);
+        let kept = |depth: f64| self.clearance.min(KEPT * depth);
+        let least_tip = kept(lead.depth(tip));
         let mut skip = JOINT * length;
+        let mut passed = 0.0;
         for s in &lead.path {
             let free = free_part(s, &mut skip);
+            let stages = stages(s, passed, length);
+            passed += s.length();
             let mut fits = true;
             self.index.visit(s.bounds().grown(reach), |k| {
                 let element = &self.elements[k];
@@ -110,6 +119,9 @@ impl<'s> Scrap<'s> {
                         if near {
                             free.is_none_or(|free| distance(&free, &part).0 > TOUCHING)
                                 && part.nearest(tip).1.sqrt() >= least_tip
+                                && stages
+                                    .iter()
+                                    .all(|stage| distance(stage, &part).0 >= kept(lead.depth(stage.start())))
                         } else {
                             distance(s, &part).0 >= self.clearance
                         }
@@ -149,6 +161,14 @@ fn free_part(s: &Segment, skip: &mut f64) -> Option<Segment> {
     let passed = skip.min(length);
     *skip -= passed;
     (passed < length).then(|| s.piece(passed / length, 1.0))
+}
+
+/// The stages of a lead of `length` mm that run along one of its elements, of which `passed` mm of the lead lie before.
+fn stages(s: &Segment, passed: f64, length: f64) -> Vec<Segment> {
+    let ends = STAGES.into_iter().skip(1).chain([1.0]);
+    let fraction = |of_lead: f64| ((of_lead * length - passed) / s.length()).clamp(0.0, 1.0);
+    let stretches = STAGES.into_iter().zip(ends).map(|(from, to)| (fraction(from), fraction(to)));
+    stretches.filter(|(from, to)| to > from).map(|(from, to)| s.piece(from, to)).collect()
 }
 
 /// The stretch of a closed contour around a joint.

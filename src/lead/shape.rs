@@ -31,8 +31,15 @@ pub(super) enum Which {
 #[derive(Clone, Debug, PartialEq, Default)]
 pub(super) struct Outwards {
     pub(super) path: Vec<Segment>,
-    /// Distance of its end from the line that is tangent to the contour, mm.
-    pub(super) depth: f64,
+    /// Unit direction across the contour into the scrap.
+    waste: DVec2,
+}
+
+impl Outwards {
+    /// Distance of a place from the line that is tangent to the contour where the lead joins it, mm.
+    pub(super) fn depth(&self, place: DVec2) -> f64 {
+        self.path.first().map_or(0.0, |s| (place - s.start()).dot(self.waste).abs())
+    }
 }
 
 /// A corner turns by more than this, rad: five degrees, as joints of flattened curves turn by less.
@@ -93,9 +100,8 @@ impl Spot {
                 (path, -SAME_DIRECTION)
             }
         };
-        let end = path.last()?.end();
         let starts = path.first()?.tangent(0.0);
-        self.is_scrap(starts, least).then(|| Outwards { path, depth: (end - self.at).dot(waste).abs() })
+        self.is_scrap(starts, least).then_some(Outwards { path, waste })
     }
 
     /// Whether a direction points into the scrap, at least `least` rad from the contour on both sides.
@@ -207,6 +213,6 @@ mod tests {
         let spot = Spot::new(&hole, 4.0).unwrap();
         let lead = spot.lead(&shape(LeadKind::Center, 9.0, 1.0, 90.0), Which::In, Some(center)).unwrap();
         assert_eq!(end(&lead), center);
-        assert!((lead.depth - 3.0).abs() < 1e-9);
+        assert!((lead.depth(center) - 3.0).abs() < 1e-9);
     }
 }

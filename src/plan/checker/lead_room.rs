@@ -1,5 +1,6 @@
 //! Checks at points along leads that they lie in scrap, and far enough from everything else.
 
+use super::tolerance::SAME;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Segment, winding};
 use crate::machine::Profile;
 use crate::sheet::{Contour, Operation, Sheet};
@@ -17,6 +18,9 @@ const NODE: f64 = 0.025;
 const SLOPE: f64 = 0.4;
 /// A lead that is this near to its own contour elsewhere touches it, mm.
 const TOUCHING: f64 = 1e-5;
+/// Least distance of a lead from its own contour, in distances from the lines along which that runs where they join: it is less
+/// than planned leads keep, because these are measured stage by stage.
+const COMES_BACK: f64 = 0.1;
 
 /// Everything that is cut, as leads see it.
 pub(super) struct Room<'s> {
@@ -27,6 +31,7 @@ pub(super) struct Room<'s> {
     /// The outlines of parts and holes, by their boxes.
     outlines: Vec<u32>,
     boxes: BoxIndex,
+    clearance: f64,
     reach: f64,
 }
 
@@ -47,7 +52,7 @@ impl<'s> Room<'s> {
         let (outlines, boxes): (Vec<u32>, Vec<Aabb>) =
             all.filter_map(|(id, c)| Some((id, c.boundary()?.bounds()))).unzip();
         let reach = clearance + 0.5 * machine.kerf_width + ROUNDING;
-        Self { sheet, elements, index, outlines, boxes: BoxIndex::new(boxes), reach }
+        Self { sheet, elements, index, outlines, boxes: BoxIndex::new(boxes), clearance, reach }
     }
 
     /// What is wrong with a lead of a contour, and where. `lead` touches the contour at one of its ends.
@@ -59,12 +64,23 @@ impl<'s> Room<'s> {
             |p: DVec2| own.path.segments.iter().map(|s| s.nearest(p).1).fold(f64::INFINITY, f64::min).sqrt();
         let tip = if off(first) > off(last) { first } else { last };
         let joint = if tip == first { last } else { first };
+        let sides: Vec<DVec2> = own.path.segments.iter().filter_map(|s| direction_at(s, joint)).collect();
         for p in points(lead) {
             if self.nearness(contour, p).is_some() {
                 return Some(("is too near to another cut", p));
             }
-            if p.distance(joint) > JOINT * length && off(p) < TOUCHING {
+            if p.distance(joint) <= JOINT * length {
+                continue;
+            }
+            let away = p - joint;
+            let beside = |d: &DVec2| (d.x * away.y - d.y * away.x).abs();
+            let depth = sides.iter().map(beside).reduce(f64::min).unwrap_or_default();
+            let off = off(p);
+            if off < TOUCHING {
                 return Some(("touches its contour again", p));
+            }
+            if off < self.clearance.min(COMES_BACK * depth) - ROUNDING {
+                return Some(("comes back to its contour", p));
             }
         }
         let around = self.depth(tip);
@@ -111,6 +127,12 @@ impl<'s> Room<'s> {
         };
         u32::try_from(self.boxes.query(Aabb::of(p)).iter().filter(|k| around(k)).count()).unwrap_or(u32::MAX)
     }
+}
+
+/// The unit direction of an element of a contour at a place, if it passes there.
+fn direction_at(s: &Segment, place: DVec2) -> Option<DVec2> {
+    let (fraction, d2) = s.nearest(place);
+    (d2.sqrt() <= SAME && s.length() > 0.0).then(|| s.tangent(fraction))
 }
 
 /// Points along a lead, both ends included.

@@ -3,6 +3,7 @@
 mod attach;
 mod checker;
 mod drawings;
+mod graze;
 mod ladder;
 mod replay;
 mod search;
