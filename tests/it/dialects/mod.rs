@@ -9,6 +9,7 @@
 )]
 
 mod refused;
+mod resolution;
 
 use crate::testkit::beam_machine::{Controller, Run, Step, run};
 use crate::testkit::leads::{leads, with_leads};

@@ -56,6 +56,8 @@ pub(super) struct Figures {
     pub(super) parts: u32,
     pub(super) pierces: u32,
     pub(super) cut_length: f64,
+    /// Number of motions of cuts.
+    pub(super) motions: f64,
     /// Length of motions at cutting speed with the beam off, mm.
     pub(super) dark_length: f64,
     air_length: f64,
@@ -97,6 +99,7 @@ pub(super) fn figures(program: &Program, cuts: &[Cut], profile: &Profile) -> Fig
         parts: contours::parts(cuts),
         pierces,
         cut_length: cuts.iter().map(Cut::length).sum(),
+        motions: cuts.iter().map(|c| c.path.len() as f64).sum(),
         dark_length,
         air_length,
         seconds: seconds(program, profile),

@@ -14,9 +14,9 @@ use crate::number::power_of_ten;
 const SECONDS: (f64, f64) = (0.02, 0.1);
 /// The same where arcs are chords or the piercing is a slow motion, which the plan's seconds do not know.
 const SECONDS_ROUGH: (f64, f64) = (0.15, 1.0);
-/// Largest difference of the box of all cuts from the plan, mm.
+/// Largest difference of the box of all cuts from the plan, mm, besides the rounding of a coordinate.
 const BOUNDS: f64 = 0.01;
-/// Largest difference of the length of cuts: mm for each contour, and as a fraction.
+/// Largest difference of the length of cuts: mm for each contour, and as a fraction, besides the rounding of each motion.
 const LENGTH: (f64, f64) = (0.05, 1e-3);
 /// Piercings of one wait: a plan may pierce a few times at one place.
 const PIERCES_AT_ONCE: u32 = 4;
@@ -160,8 +160,13 @@ pub(super) fn compare(
     if let Some(lifts) = e.lifts.filter(|&n| n != figures.lifts) {
         differs("lifts the head", format!("{} times", figures.lifts), lifts.to_string());
     }
+    // What a coordinate is rounded to, mm.
+    let grid = dialect.units.mm() / power_of_ten(dialect.decimals.xy);
     if let Some(length) = e.cut_length {
-        let slack = e.precision + LENGTH.0 * f64::from(figures.stretches) + LENGTH.1 * length;
+        let slack = e.precision
+            + LENGTH.0 * f64::from(figures.stretches)
+            + LENGTH.1 * length
+            + grid * figures.motions;
         if (figures.cut_length - length).abs() > slack {
             differs("cuts", format!("{:.1} mm", figures.cut_length), format!("{length:.1} mm"));
         }
@@ -184,7 +189,7 @@ pub(super) fn compare(
             .iter()
             .zip(bounds)
             .fold(0.0, |d: f64, (a, b)| d.max((a - b).abs()));
-        if off > e.precision + BOUNDS + chords {
+        if off > e.precision + BOUNDS + 0.5 * grid + chords {
             let shown = |[x0, y0, x1, y1]: [f64; 4]| format!("x {x0:.1} to {x1:.1}, y {y0:.1} to {y1:.1} mm");
             differs("reaches", shown([b.min.x, b.min.y, b.max.x, b.max.y]), shown(bounds));
         }

@@ -1,0 +1,78 @@
+//! Coarse numbers and coarse chords: programs that are as exact as their dialect allows are handed out, and wrong ones are not.
+
+use super::{machine, planned, shipped, with};
+use crate::testkit::{files, fixtures, name, plans};
+use kerfway::geometry::{Arc, Path, Segment};
+use kerfway::machine::dialect::{Dialect, DialectChoice, FileUnit};
+use kerfway::machine::{Profile, Start};
+use kerfway::output::{self, Check};
+use kerfway::plan::Plan;
+use kerfway::sheet::{Operation, Sheet};
+
+/// The machine with each dialect that writes G2 and G3 on lines with their power, after a change.
+fn own(change: impl Fn(&mut Dialect)) -> Vec<Profile> {
+    let named =
+        shipped().into_iter().filter(|(_, d, _)| ["linuxcnc-m67", "grbl-m4"].contains(&d.name.as_str()));
+    let changed = named.map(|(_, mut dialect, _)| {
+        change(&mut dialect);
+        with(&machine(), DialectChoice::Document(Box::new(dialect)))
+    });
+    changed.collect()
+}
+
+fn inches(dialect: &mut Dialect) {
+    dialect.units = FileUnit::Inch;
+    (dialect.decimals.xy, dialect.decimals.ij, dialect.decimals.feed) = (3, 4, 3);
+    for line in &mut dialect.header {
+        *line = line.replace("G21", "G20");
+    }
+}
+
+/// What the check says of a program against its plan and alone.
+fn checks(sheet: &Sheet, plan: &Plan, profile: &Profile) -> [Check; 2] {
+    let facts = output::SheetFacts::of(sheet);
+    let text = output::gcode(plan, &facts, profile, "a.dxf", Start::Absolute).unwrap();
+    [output::check_against(&text, profile, plan).unwrap(), output::check(&text, profile).unwrap()]
+}
+
+/// Five circles with radii of 0.4 to 3 mm.
+fn circles(profile: &Profile) -> (Sheet, Plan) {
+    let stop = |k: u32| {
+        let (r, at) = ([0.4, 0.7, 1.0, 2.0, 3.0][k as usize], glam::DVec2::new(20.0 * f64::from(k), 50.0));
+        let path = Path::new(vec![Segment::Arc(Arc::circle(at, r))], true);
+        plans::Stop { layer: 0, operation: Operation::Cut, path }
+    };
+    let (sheet, mut plan) = plans::plan_of((0..5).map(stop).collect(), &[("0", 7)], profile);
+    plan.summary = kerfway::plan::evaluate(&plan.moves, &sheet, profile);
+    (sheet, plan)
+}
+
+#[test]
+fn inches_with_three_decimals_pass_on_every_drawing() {
+    for profile in own(inches) {
+        for file in files(&fixtures().join("dxf-dev"), "dxf").iter().take(8) {
+            let Some((job, plan)) = planned(file, &profile) else { continue };
+            for check in checks(job.beam_sheet(), &plan, &profile) {
+                assert!(check.passed, "{} in {}: {:?}", name(file), check.dialect, check.problems);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_box_that_the_decimals_do_not_explain_is_refused() {
+    for (profile, off) in
+        own(inches).into_iter().map(|p| (p, 0.04)).chain(own(|_| {}).into_iter().map(|p| (p, 0.012)))
+    {
+        let (sheet, mut plan) = circles(&profile);
+        let [right, _] = checks(&sheet, &plan, &profile);
+        assert!(right.passed, "{:?}", right.problems);
+        plan.summary.bounds[2] += off;
+        let [check, _] = checks(&sheet, &plan, &profile);
+        assert!(
+            check.problems.iter().any(|p| p.message.starts_with("The program reaches ")),
+            "{off}: {:?}",
+            check.problems
+        );
+    }
+}
