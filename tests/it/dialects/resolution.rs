@@ -48,6 +48,35 @@ fn circles(profile: &Profile) -> (Sheet, Plan) {
 }
 
 #[test]
+fn chords_of_any_tolerance_pass_on_small_circles() {
+    for chords in [0.02, 0.08, 0.2, 0.5] {
+        for profile in own(|d| d.chords = Some(chords)) {
+            let (sheet, plan) = circles(&profile);
+            for check in checks(&sheet, &plan, &profile) {
+                assert!(check.passed, "{chords} in {}: {:?}", check.dialect, check.problems);
+                assert_eq!(check.contours, 5, "{chords} in {}", check.dialect);
+                // Whole turns of chords, each shorter than its circle by at most 1.2 times their tolerance.
+                assert!(plan.summary.cut_length - check.cut_length < 5.0 * 1.2 * chords);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_length_that_chords_do_not_explain_is_refused() {
+    for profile in own(|d| d.chords = Some(0.1)) {
+        let (sheet, mut plan) = circles(&profile);
+        plan.summary.cut_length += 2.0;
+        let [check, _] = checks(&sheet, &plan, &profile);
+        assert!(
+            check.problems.iter().any(|p| p.message.starts_with("The program cuts ")),
+            "{:?}",
+            check.problems
+        );
+    }
+}
+
+#[test]
 fn inches_with_three_decimals_pass_on_every_drawing() {
     for profile in own(inches) {
         for file in files(&fixtures().join("dxf-dev"), "dxf").iter().take(8) {

@@ -1,7 +1,7 @@
 //! The contours of a program: what is cut between two rapids, which of them are the same, and how many parts they make.
 
 use super::reader::Event;
-use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, interior_point, winding};
+use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, interior_point, math, winding};
 use crate::order::{real, sort_by};
 
 /// What is cut without a pause.
@@ -46,6 +46,12 @@ impl Cut {
 
     pub(super) fn length(&self) -> f64 {
         self.path.iter().map(Segment::length).sum()
+    }
+
+    /// What the motions turn from one to the next, rad.
+    pub(super) fn turns(&self) -> f64 {
+        let turn = |w: &[Segment]| math::turn(w[0].tangent(1.0), w[1].tangent(0.0)).abs();
+        self.path.windows(2).map(turn).sum()
     }
 
     fn bounds(&self) -> Aabb {

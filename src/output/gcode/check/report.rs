@@ -56,8 +56,9 @@ pub(super) struct Figures {
     pub(super) parts: u32,
     pub(super) pierces: u32,
     pub(super) cut_length: f64,
-    /// Number of motions of cuts.
+    /// Number of motions of cuts, and what they turn from one to the next, rad.
     pub(super) motions: f64,
+    pub(super) turns: f64,
     /// Length of motions at cutting speed with the beam off, mm.
     pub(super) dark_length: f64,
     air_length: f64,
@@ -100,6 +101,7 @@ pub(super) fn figures(program: &Program, cuts: &[Cut], profile: &Profile) -> Fig
         pierces,
         cut_length: cuts.iter().map(Cut::length).sum(),
         motions: cuts.iter().map(|c| c.path.len() as f64).sum(),
+        turns: cuts.iter().map(Cut::turns).sum(),
         dark_length,
         air_length,
         seconds: seconds(program, profile),
