@@ -1,6 +1,6 @@
 //! Refuses dialects that contradict themselves, each in one sentence.
 
-use super::model::{Dialect, PierceBy, PowerBy};
+use super::model::{Dialect, PierceBy, Power, PowerBy};
 use crate::fields::no_such;
 
 /// What lines of a header or footer may contain in braces.
@@ -29,8 +29,9 @@ pub const PLACEHOLDERS: [&str; 22] = [
     "controller",
 ];
 
-/// What lines of a macro may contain in braces.
-const OF_MACROS: [&str; 3] = ["power", "seconds", "feed"];
+/// What the lines that switch the beam on and those that pierce may contain in braces.
+const OF_ON: [&str; 1] = ["power"];
+const OF_PIERCE: [&str; 2] = ["power", "seconds"];
 
 impl Dialect {
     /// Checks that the parts of the document fit together.
@@ -73,18 +74,31 @@ impl Dialect {
                 "sets the power by \"macro\" without lines: give \"power.on\" and \"power.off\".".into(),
             );
         }
-        let lines = |list: &[String], known: &[&str]| list.iter().try_for_each(|l| self.line(l, known));
-        lines(&self.header, &PLACEHOLDERS)?;
-        lines(&self.footer, &PLACEHOLDERS)?;
-        lines(&self.power.on, &OF_MACROS)?;
-        lines(&self.power.off, &[])?;
-        lines(self.pierce.as_ref().map_or(&[][..], |p| &p.lines), &OF_MACROS)?;
-        self.air.as_ref().map_or(Ok(()), |air| self.line(&air.on, &[]).and(self.line(&air.off, &[])))
+        let Power { by, word, on, off, .. } = &self.power;
+        let taken = if *by == PowerBy::OutputM67 { "Q" } else { "S" };
+        if *by != PowerBy::Macro && word != taken {
+            return refuse(format!(
+                "sets the power by \"{}\" with the word {word}, which these commands do not take: set \"power.word\" to \"{taken}\".",
+                by.word()
+            ));
+        }
+        let lines = |field: &str, list: &[String], known: &[&str]| {
+            list.iter().try_for_each(|line| self.line(field, line, known))
+        };
+        lines("header", &self.header, &PLACEHOLDERS)?;
+        lines("footer", &self.footer, &PLACEHOLDERS)?;
+        lines("power.on", on, &OF_ON)?;
+        lines("power.off", off, &[])?;
+        lines("pierce.lines", self.pierce.as_ref().map_or(&[][..], |p| &p.lines), &OF_PIERCE)?;
+        let Some(air) = &self.air else { return Ok(()) };
+        self.line("air.on", &air.on, &[])?;
+        self.line("air.off", &air.off, &[])
     }
 
-    /// Checks one line: printable ASCII, known placeholders, and not too long. Comments are shortened when written.
-    fn line(&self, line: &str, known: &[&str]) -> Result<(), String> {
-        let refuse = |why: String| Err(format!("The dialect \"{}\" has a line {why}", self.name));
+    /// Checks one line of a field: printable ASCII, known placeholders, and not too long. Comments are shortened when written.
+    fn line(&self, field: &str, line: &str, known: &[&str]) -> Result<(), String> {
+        let refuse =
+            |why: String| Err(format!("The dialect \"{}\" has a line in \"{field}\" {why}", self.name));
         if let Some(bad) = line.chars().find(|c| !(' '..='~').contains(c)) {
             return refuse(format!("with the character {bad:?}: use plain ASCII characters only."));
         }
@@ -101,12 +115,14 @@ impl Dialect {
             let Some((name, after)) = open.split_once('}') else {
                 return refuse(format!("with an open brace: {line}"));
             };
-            if !known.contains(&name) {
-                return Err(format!(
-                    "In the dialect \"{}\": {}",
-                    self.name,
-                    no_such("placeholder", name, known)
+            if known.is_empty() {
+                return refuse(format!(
+                    "with the placeholder \"{name}\", but it is written as it is: {line}"
                 ));
+            }
+            if !known.contains(&name) {
+                let why = no_such("placeholder", name, known);
+                return Err(format!("In \"{field}\" of the dialect \"{}\": {why}", self.name));
             }
             rest = after;
         }

@@ -8,6 +8,7 @@
     reason = "tests stop where they cannot go on, compare what must be equal, and share no arithmetic with the product"
 )]
 
+mod own;
 mod refused;
 mod resolution;
 

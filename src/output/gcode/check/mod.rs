@@ -1,7 +1,7 @@
 //! The preflight: reads a program back by the rules of its dialect and says what the machine would do with it.
 //!
 //! Every program that Kerfway writes passes it before it leaves the core, and files of other programs can be checked too.
-//! It follows the head and the beam line by line (`reader.rs`, `beam.rs`), puts together what is cut (`contours.rs`), and
+//! It follows the head and the beam line by line (`reader.rs`, `beam.rs`, `macros.rs`), puts together what is cut (`contours.rs`), and
 //! compares that with the machine, with the plan or with what the file's own header says (`expected.rs`, `rules.rs`).
 //!
 //! A program **fails** if it has a problem of severity error. For programs of others some rules are warnings, because a
@@ -10,6 +10,7 @@
 mod beam;
 mod contours;
 mod expected;
+mod macros;
 mod problem;
 mod reader;
 mod report;

@@ -3,6 +3,7 @@
 //! Written from the controllers' rules; it shares no code with the writer.
 
 use super::beam::{Beam, Power};
+use super::macros::{Does, Macros};
 use super::problem::{Code, Problems};
 use super::words::{self, Line};
 use crate::geometry::{Arc, DVec2, Segment};
@@ -39,7 +40,7 @@ pub(super) struct Program {
     pub(super) powers: Vec<(u32, f64)>,
     /// Number of lines.
     pub(super) lines: u32,
-    /// The commands without comments, in order: the last few.
+    /// The commands without comments, in order: as many of the last as the footer has lines.
     pub(super) tail: Vec<String>,
     /// Whether the beam is off at the end.
     pub(super) dark_at_end: bool,
@@ -53,12 +54,11 @@ pub(super) struct Program {
 const RADIUS: (f64, f64) = (0.005, 0.001);
 /// Above this height the head is lifted, mm.
 const LIFTED: f64 = 0.01;
-/// Commands that are left over at the end, for comparing them with the footer.
-const TAIL: usize = 24;
 
 struct Reader<'d, 'p> {
     dialect: &'d Dialect,
     beam: Beam<'d>,
+    macros: Macros,
     program: Program,
     problems: &'p mut Problems,
     /// mm in a unit of the file; `None` before the program has said so.
@@ -79,6 +79,7 @@ pub(super) fn follow(text: &str, dialect: &Dialect, problems: &mut Problems) -> 
     let mut reader = Reader {
         dialect,
         beam: Beam::new(dialect),
+        macros: Macros::new(dialect),
         program: Program::default(),
         problems,
         unit: None,
@@ -121,7 +122,7 @@ impl Reader<'_, '_> {
                 )
             });
         }
-        let line = match words::read(text) {
+        let mut line = match words::divided(text) {
             Ok(line) => line,
             Err(why) => return self.unreadable(&why),
         };
@@ -132,12 +133,17 @@ impl Reader<'_, '_> {
         if line.command.is_empty() {
             return;
         }
-        if self.program.tail.len() == TAIL {
+        self.program.tail.push(line.command.clone());
+        if self.program.tail.len() > self.dialect.footer.len() {
             self.program.tail.remove(0);
         }
-        self.program.tail.push(line.command.clone());
-        if !self.run_macro(&line.command) {
-            self.command(&line);
+        if self.run_macro(&line.command) {
+            return;
+        }
+        match line.read_words() {
+            Ok(()) => self.command(&line),
+            Err(_) if self.macros.hold(&line.command) => {}
+            Err(why) => self.unreadable(&why),
         }
     }
 
@@ -146,35 +152,17 @@ impl Reader<'_, '_> {
         self.problems.error(Code::Unreadable, Some(number), || format!("Line {number} {why}."));
     }
 
-    /// Whether the line is one of the dialect's own macros.
+    /// Whether a macro of the dialect ends with the line.
     fn run_macro(&mut self, command: &str) -> bool {
-        if self.dialect.power.by != PowerBy::Macro {
-            return false;
-        }
-        if let Some(line) = self.dialect.power.on.last()
-            && let Some([power, _]) = matched(line, command)
-        {
-            self.set_macro(power.unwrap_or(1.0));
-            return true;
-        }
-        if self.dialect.power.off.iter().any(|line| line == command) {
-            self.set_macro(0.0);
-            return true;
-        }
-        let pierce = self.dialect.pierce.as_ref().and_then(|p| p.lines.last());
-        if let Some([power, seconds]) = pierce.and_then(|line| matched(line, command)) {
-            let power = power.unwrap_or(1.0);
-            self.set_macro(power);
-            let (line, power) = (self.number, self.beam.standing(true));
-            self.program.events.push(Event::Dwell { line, seconds: seconds.unwrap_or(0.0), power });
-            return true;
-        }
-        self.dialect.air.as_ref().is_some_and(|air| air.on == command || air.off == command)
-    }
-
-    fn set_macro(&mut self, power: f64) {
+        let Some(does) = self.macros.line(command) else { return false };
+        let (Does::Sets(power) | Does::Pierces(power, _)) = does;
         self.program.powers.push((self.number, power));
         self.beam.macro_sets(power);
+        if let Does::Pierces(_, seconds) = does {
+            let (line, power) = (self.number, self.beam.standing(true));
+            self.program.events.push(Event::Dwell { line, seconds, power });
+        }
+        true
     }
 
     fn command(&mut self, line: &Line) {
@@ -196,7 +184,8 @@ impl Reader<'_, '_> {
             }
         }
         let unit = self.unit.unwrap_or(self.dialect.units.mm());
-        if let Some(feed) = line.value('F') {
+        // F after G4 is a time where the dialect says so, and no feed.
+        if let Some(feed) = line.value('F').filter(|_| !is('G', 40)) {
             self.feed = feed * unit / 60.0;
         }
         let set = self.beam.line(line);
@@ -326,24 +315,4 @@ fn announces(comment: &str) -> bool {
         before.starts_with("pre-cut")
             || before.split_once(" of ").is_some_and(|(n, _)| n.parse::<u32>().is_ok())
     })
-}
-
-/// The values of `{power}` and `{seconds}` if a line is written after this template.
-fn matched(template: &str, line: &str) -> Option<[Option<f64>; 2]> {
-    let mut values = [None, None];
-    let (mut template, mut line) = (template, line);
-    while let Some((before, open)) = template.split_once('{') {
-        let (name, after) = open.split_once('}')?;
-        line = line.strip_prefix(before)?;
-        let end = line.find(|c: char| !matches!(c, '0'..='9' | '.' | '-')).unwrap_or(line.len());
-        let value = lexical_parse_float::FromLexical::from_lexical(&line.as_bytes()[..end]).ok()?;
-        match name {
-            "power" => values[0] = Some(value),
-            "seconds" => values[1] = Some(value),
-            _ => {}
-        }
-        line = &line[end..];
-        template = after;
-    }
-    (line == template).then_some(values)
 }

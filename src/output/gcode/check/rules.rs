@@ -4,6 +4,7 @@ use super::expected::Expected;
 use super::problem::{Code, Problems};
 use super::reader::{Event, Program};
 use super::report::Figures;
+use super::words::commands;
 use crate::finding::Severity;
 use crate::machine::Profile;
 use crate::machine::dialect::{Dialect, PierceBy};
@@ -232,10 +233,16 @@ fn once(figures: &Figures, e: &Expected, problems: &mut Problems) {
 
 /// The footer is there, command by command, so the program was not cut off.
 fn ending(figures: &Figures, dialect: &Dialect, problems: &mut Problems) {
-    let footer: Vec<&String> =
-        dialect.footer.iter().filter(|l| !l.starts_with(';') && !l.contains('{')).collect();
-    let tail = figures.tail.iter().rev().take(footer.len()).rev();
-    if !tail.eq(footer.iter().copied()) {
+    let mut tail = figures.tail.iter().rev().peekable();
+    let is_there = commands(&dialect.footer).iter().rev().all(|line| match line.split_once('{') {
+        // A line without a value for its placeholder is not written.
+        Some((before, _)) => {
+            tail.next_if(|command| command.starts_with(before));
+            true
+        }
+        None => tail.next() == Some(line),
+    });
+    if !is_there {
         problems.error(Code::Incomplete, Some(figures.lines), || {
             "The end of the program is missing, as if it had been cut off.".into()
         });

@@ -19,11 +19,11 @@ pub(super) struct Line {
     pub(super) command: String,
 }
 
-/// Reads a line. Comments stand in parentheses or after a semicolon; `%` begins and ends a tape.
+/// Divides a line into its command and its comments, which are in parentheses or after a semicolon.
 ///
 /// # Errors
 /// What cannot be read, as the second half of a sentence.
-pub(super) fn read(text: &str) -> Result<Line, String> {
+pub(super) fn divided(text: &str) -> Result<Line, String> {
     let mut line = Line::default();
     let mut rest = text;
     while let Some(at) = rest.find([';', '(']) {
@@ -40,19 +40,13 @@ pub(super) fn read(text: &str) -> Result<Line, String> {
     }
     line.command.push_str(rest);
     line.command = line.command.trim().to_owned();
-    let mut rest = line.command.trim_start_matches('%').trim_start();
-    while let Some(letter) = rest.chars().next() {
-        if !letter.is_ascii_alphabetic() {
-            return Err(format!("has {letter:?} where a word should begin"));
-        }
-        let after = rest[1..].trim_start();
-        let end = after.find(|c: char| !matches!(c, '0'..='9' | '.' | '+' | '-')).unwrap_or(after.len());
-        let (number, next) = after.split_at(end);
-        let value = if number.is_empty() { None } else { Some(number_of(number, letter)?) };
-        line.words.push(Word { letter: letter.to_ascii_uppercase(), value });
-        rest = next.trim_start();
-    }
     Ok(line)
+}
+
+/// The commands of lines of a dialect. Lines of comments and blank ones are none.
+pub(super) fn commands(lines: &[String]) -> Vec<String> {
+    let commands = lines.iter().filter_map(|line| Some(divided(line).ok()?.command));
+    commands.filter(|command| !command.is_empty()).collect()
 }
 
 fn number_of(text: &str, letter: char) -> Result<f64, String> {
@@ -66,6 +60,26 @@ pub(super) fn number(text: &str) -> Option<f64> {
 }
 
 impl Line {
+    /// Reads the words of the command; `%` begins and ends a tape.
+    ///
+    /// # Errors
+    /// What cannot be read, as the second half of a sentence.
+    pub(super) fn read_words(&mut self) -> Result<(), String> {
+        let mut rest = self.command.trim_start_matches('%').trim_start();
+        while let Some(letter) = rest.chars().next() {
+            if !letter.is_ascii_alphabetic() {
+                return Err(format!("has {letter:?} where a word should begin"));
+            }
+            let after = rest[1..].trim_start();
+            let end = after.find(|c: char| !matches!(c, '0'..='9' | '.' | '+' | '-')).unwrap_or(after.len());
+            let (number, next) = after.split_at(end);
+            let value = if number.is_empty() { None } else { Some(number_of(number, letter)?) };
+            self.words.push(Word { letter: letter.to_ascii_uppercase(), value });
+            rest = next.trim_start();
+        }
+        Ok(())
+    }
+
     /// The value of the first word with this letter.
     pub(super) fn value(&self, letter: char) -> Option<f64> {
         self.words.iter().find(|w| w.letter == letter)?.value
@@ -87,6 +101,11 @@ impl Line {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn read(text: &str) -> Result<Line, String> {
+        let mut line = divided(text)?;
+        line.read_words().map(|()| line)
+    }
 
     #[test]
     fn words_are_read_with_and_without_spaces() {
