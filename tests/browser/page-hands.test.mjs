@@ -1,4 +1,4 @@
-// Under the hands of a person: what is made again while somebody types, tabs or chooses keeps the focus, what is typed, what is open.
+// Under the hands of a person: what is made again while somebody types, tabs or chooses keeps the focus, what is typed, what is open; and what they do is answered to those who do not see it.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -113,4 +113,23 @@ test('a notice stays while its button has the focus, and then gives it to the st
   assert.equal(await page.evaluate(() => document.activeElement.id), 'canvas');
   await page.evaluate(() => window.noticeEnds());
   assert.equal(await page.locator('.notice').isVisible(), false);
+});
+
+test('what somebody does is answered at once while a search reports, whose news go on after it', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=600&units=mm' });
+  await phase(page, 'planning', 'done');
+  await drop(page, 'said.dxf', grid(300));
+  await planned(page, 'said.dxf', 'planning');
+  await page.waitForFunction(() => /^Best so far/.test(document.querySelector('#announcer').textContent));
+  await page.evaluate(() => {
+    window.said = [];
+    new MutationObserver(() => window.said.push(document.querySelector('#announcer').textContent)).observe(document.querySelector('#announcer'), { childList: true });
+  });
+  await page.keyboard.press('Home');
+  await page.waitForFunction(() => window.said.some((text) => text.startsWith('No. 1 of 300')));
+  await page.keyboard.press('x');
+  await page.waitForFunction(() => window.said.some((text) => /skipped/.test(text)));
+  await page.waitForFunction(() => /^Best so far/.test(window.said.at(-1)));
+  const said = await page.evaluate(() => window.said);
+  assert.deepEqual(said.filter((text, k) => text === said[k - 1]), [], 'nothing is said twice');
 });

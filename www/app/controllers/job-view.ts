@@ -71,7 +71,7 @@ export class JobView {
     scene.highlight({ partitions: insights.now?.partitions ?? null });
     this.parts.orders.setNow({ path, total: progress.summary.total_time, travel, still: machine.pierce_time + machine.beam_on_delay });
     selection.refresh();
-    announcer.say(words.page.best(seconds(progress.summary.total_time)));
+    announcer.report(words.page.best(seconds(progress.summary.total_time)));
   }
 
   private showState(state: State): void {
@@ -79,7 +79,7 @@ export class JobView {
     document.body.dataset.phase = state.phase;
     this.showAddress();
     notices.showRefusal(state, () => session.store.refusalSeen());
-    if (state.phase === 'done' || state.phase === 'paused') announcer.say(headline(state));
+    if (state.phase === 'done' || state.phase === 'paused') announcer.report(headline(state));
     this.parts.showCommon((state.common?.offsets.length ?? 0) > 1);
     scene.setBed(bedAround(state.placing, state.machine, state.loaded), state.loaded === null || fitsBed(state.placing, state.machine, state.loaded));
     if (!scene.shapes) return;

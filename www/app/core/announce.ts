@@ -1,29 +1,52 @@
 /**
- * Polite announcements for screen readers: the newest sentence, at most one every two seconds, so that a search does not talk all the time.
+ * Polite announcements for screen readers. The answer to what somebody does is spoken at once. The news of a search are spoken at most every two
+ * seconds, the newest only, so that it neither talks all the time nor takes the place of an answer.
  */
 
-/** Milliseconds between two announcements. */
+/** Milliseconds between an announcement and the next news. */
 const PAUSE = 2000;
 
 export class Announcer {
-  private waiting: string | null = null;
+  private answer: string | null = null;
+  private news: string | null = null;
+  /** The news that were spoken last: the same are none. */
+  private known = '';
   private spoken = -Infinity;
   private timer = 0;
 
   constructor(private readonly region: HTMLElement) {}
 
-  /** Announces a sentence now, or when two seconds have passed since the last one. A newer sentence replaces one that waits. */
+  /** Answers what somebody has just done. A newer answer replaces one of the same moment. */
   say(sentence: string): void {
-    this.waiting = sentence;
-    if (this.timer) return;
-    const wait = Math.max(0, this.spoken + PAUSE - performance.now());
-    this.timer = window.setTimeout(() => this.speak(), wait);
+    this.answer = sentence;
+    this.wait(0);
+  }
+
+  /** Reports what goes on by itself. */
+  report(sentence: string): void {
+    this.news = sentence;
+    if (this.answer === null) this.wait(Math.max(0, this.spoken + PAUSE - performance.now()));
+  }
+
+  private wait(time: number): void {
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => this.speak(), time);
   }
 
   private speak(): void {
-    this.timer = 0;
+    const { answer, news } = this;
+    if (answer !== null) {
+      this.answer = null;
+      this.put(answer);
+      if (news !== null) this.wait(PAUSE);
+    } else if (news !== null) {
+      this.news = null;
+      if (news !== this.known) this.put((this.known = news));
+    }
+  }
+
+  private put(sentence: string): void {
     this.spoken = performance.now();
-    if (this.waiting !== null) this.region.textContent = this.waiting;
-    this.waiting = null;
+    this.region.textContent = sentence;
   }
 }
