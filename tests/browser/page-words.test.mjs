@@ -5,9 +5,10 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { transformSync } from 'esbuild';
+import { circle, dxf, polygon, square } from '../package/support.mjs';
 import { sample } from './page-drawings.mjs';
 import { shot } from './page-pictures.mjs';
-import { download, drop, openPage, phase, planned, replanned, until } from './page-support.mjs';
+import { download, drop, openEverything, openPage, phase, planned, replanned, until } from './page-support.mjs';
 
 const WORDS = join(import.meta.dirname, '..', '..', 'www', 'app', 'core', 'words');
 const LANGUAGES = ['de', 'es', 'zh', 'ja'];
@@ -126,4 +127,37 @@ test('lengths in inches: shown, typed and kept, and the drawing and the program 
   await page.reload();
   await planned(page, 'plate.dxf', 'done');
   assert.equal(await page.locator('.top .measure').textContent(), '10 × 5 in', 'kept');
+});
+
+test('in German, a border is asked about in German, and numbers of the bed, the budget, the chart and the calibration have a comma', async (t) => {
+  // What is written on canvases cannot be read from the page.
+  const prepare = () => {
+    localStorage.setItem('kerfway.language', 'de');
+    window.written = [];
+    const { fillText } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.fillText = function (text, ...rest) {
+      window.written.push(text);
+      fillText.call(this, text, ...rest);
+    };
+  };
+  const { page } = await openPage(t, { hash: 'machine=diode-hobby&seconds=0.4&units=mm', prepare });
+  await phase(page, 'planning', 'done');
+  const box = (x, y, w, h) => polygon([[x, y], [x + w, y], [x + w, y + h], [x, y + h]]);
+  await drop(page, 'frame.dxf', Buffer.from(dxf(box(10, 10, 310, 215), box(30, 30, 270, 175), circle(110, 110, 20))));
+  await phase(page, 'question');
+  const question = await page.locator('.question').textContent();
+  assert.match(question, /vielleicht die Tafel und kein Schnitt: 1 Teil liegt darin\. Es wird/);
+  await drop(page, 'off.dxf', Buffer.from(dxf(square(-20.5, 10, 50))));
+  await planned(page, 'off.dxf', 'done');
+  await openEverything(page);
+  assert.match(await page.locator('.advice').textContent(), /von x -20,5 bis 29,5 und y 10 bis 60 mm, über den Arbeitsbereich hinaus/);
+  assert.equal(await page.locator('select', { hasText: '0,4 s' }).count(), 1, 'the budget');
+  await page.waitForFunction(() => window.written.includes('0,01 s'));
+  assert.deepEqual(await page.evaluate(() => window.written.filter((text) => /\d\.\d/.test(text))), [], 'the chart and the stage');
+  await page.getByPlaceholder('gemessen').fill('200');
+  await page.getByRole('button', { name: 'Diesen Auftrag hinzufügen' }).click();
+  await page.getByRole('button', { name: 'Maschine anpassen' }).click();
+  await page.locator('.calibrated').getByText('off.dxf').waitFor();
+  const cells = (await page.locator('.calibrated td').allTextContents()).filter((text) => /\d[.,]\d/.test(text));
+  assert.ok(cells.length > 2 && cells.every((text) => !/\d\.\d/.test(text)), cells.join('; '));
 });

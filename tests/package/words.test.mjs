@@ -124,7 +124,7 @@ it('the patterns of sentences are what the planner says, and every language has 
   const source = planner();
   for (const [key, pattern] of Object.entries(SENTENCES)) {
     // What is counted, "1 place" and "3 places", is put in as one value.
-    const uncounted = pattern.replace(/\b1 (shape is|shape|contour|place)\b|\{\} (shapes are|shapes|contours(?= left)|places|gaps)\b/g, '{}');
+    const uncounted = pattern.replace(/\b1 (shape is|shape|contour|place|part(?= lies))\b|\{\} (shapes are|shapes|parts(?= lie)|contours(?= left)|places|gaps)\b/g, '{}');
     for (const piece of uncounted.split('{}').map((text) => text.trim()).filter((text) => text.length > 8)) assert.ok(source.includes(piece.replace(/\.$/, '')), `${key}: ${piece}`);
   }
   for (const language of OTHERS) {
@@ -133,14 +133,19 @@ it('the patterns of sentences are what the planner says, and every language has 
     for (const [key, pattern] of Object.entries(SENTENCES)) {
       let n = 0;
       const values = pattern.replace(/\{\}/g, () => `<${(n += 1)}>`);
-      const own = translated(sentences, values);
+      const own = translated(sentences, values, language);
       assert.ok(own !== null && own !== values, `${language} ${key}`);
       assert.deepEqual(marks(own), marks(values), `${language} ${key}: ${own}`);
     }
     // A value that is a phrase itself is translated, too.
-    const nested = translated(sentences, 'The border around everything is taken for the sheet and ignored: it is alone on layer SHEET. Keep it if it is a cut.');
+    const nested = translated(sentences, 'The border around everything is taken for the sheet and ignored: it is alone on layer SHEET. Keep it if it is a cut.', language);
     assert.ok(nested.includes(sentences.aloneOnLayer.replace('{0}', 'SHEET')), nested);
-    assert.equal(translated(sentences, 'Something else.'), null);
+    // Reasons that the planner joins are translated one by one, and joined as the language joins them.
+    const reasons = ['it is alone on layer SHEET', '3 parts lie inside it', 'sheets of 1000 x 500 mm are sold'];
+    const joined = translated(sentences, `The rectangle around everything may be the sheet and not a cut: ${reasons.join(', and ')}. It is currently cut: keep it, or ignore it.`, language);
+    for (const [key, values] of [['aloneOnLayer', ['SHEET']], ['partsInside', ['3']], ['sold', ['1000', '500']]]) assert.ok(joined.includes(sentences[key].replace(/\{(\d)\}/g, (_all, k) => values[k])), joined);
+    assert.doesNotMatch(joined, /, and |inside/);
+    assert.equal(translated(sentences, 'Something else.', language), null);
   }
 });
 
@@ -156,7 +161,7 @@ it('in inches, every length of a sentence is in inches, in every language', asyn
   assert.equal(inChosenUnit('The job of 254 x 127 mm is larger than the bed of 1,270 x 25.4 mm.'), 'The job of 10 x 5 in is larger than the bed of 50 x 1 in.');
   assert.equal(inChosenUnit('Contour 12 has a lead-in of 2.54 mm, 5 cuts and 3 mm² at 10 mm/s.'), 'Contour 12 has a lead-in of 0.1 in, 5 cuts and 3 mm² at 10 mm/s.');
   for (const language of OTHERS) {
-    const own = inChosenUnit(translated((await wordsOf(language)).sentences, offBed));
+    const own = inChosenUnit(translated((await wordsOf(language)).sentences, offBed, language));
     assert.deepEqual(own.match(/-?\d+(\.\d+)?/g), ['-0.5', '3.54', '0', '1.57', '0', '15.7', '0', '11.8'], `${language}: ${own}`);
   }
 });

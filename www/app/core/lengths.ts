@@ -41,11 +41,12 @@ export function typed(input: HTMLInputElement, unit: string): number {
 const NUMBER = String.raw`-?[\d,]*\.?\d+`;
 /** What may stand between numbers that share a unit, in all languages: "x 0 to 400, y 0 to 300 mm". */
 const BETWEEN = ' (?:×|x|to|and|bis|a|～|至) |(?:,| and| und| y de|、) ?y ';
-const LENGTHS = new RegExp(`${NUMBER}(?:(?:${BETWEEN})${NUMBER})* mm(?![²³/\\w])`, 'g');
+/** The lengths in a sentence, with their unit. */
+export const lengthsIn = (unit: string) => new RegExp(`${NUMBER}(?:(?:${BETWEEN})${NUMBER})* ${unit}(?![²³/\\w])`, 'g');
 
 /** A sentence about a drawing with its lengths in the chosen unit: "12.7 mm" becomes "0.5 in", "100 × 50 mm" becomes "3.94 × 1.97 in". */
 export function inChosenUnit(sentence: string): string {
   if (lengthUnit === 'mm') return sentence;
   const convert = (number: string) => String(Number((Number(number.replaceAll(',', '')) / INCH).toPrecision(3)));
-  return sentence.replace(LENGTHS, (lengths) => lengths.replace(new RegExp(NUMBER, 'g'), convert).replace(/mm$/, 'in'));
+  return sentence.replace(lengthsIn('mm'), (lengths) => lengths.replace(new RegExp(NUMBER, 'g'), convert).replace(/mm$/, 'in'));
 }

@@ -1,7 +1,7 @@
 /** Sentences that depend on a state, units and operations in the order of their lists, names of files. */
 
 import { count, POINT } from './format.js';
-import { inChosenUnit } from './lengths.js';
+import { inChosenUnit, lengthsIn } from './lengths.js';
 import { language, translated, words } from './words/index.js';
 import { type DoneReason, type Finding, isKerfwayError, type KerfwayError, type MachineProfile, type Operation, type Unit } from 'kerfway';
 
@@ -39,15 +39,12 @@ function ofCode({ code, message, params }: KerfwayError): string {
   return Object.keys(params).length > 0 ? sentence : `${sentence} (${own})`;
 }
 
-/** A number with decimals and a unit, as the planner writes it. */
-const DECIMAL = /(\d)\.(\d+)(?= (?:mm|in|m)\b)/g;
-
 /** What a finding says. `detail`: the planner's sentence, in English, where the page is in another language that has no sentence of its own for it. */
 export function sentenceOf({ code, message, count: n }: Finding): { text: string; detail: string | null } {
   const own = inChosenUnit(message);
   if (language === 'en') return { text: own, detail: null };
   const sentence = translated(message);
-  return sentence === null ? { text: words.findingTitles[code](n, count(n)), detail: own } : { text: inChosenUnit(sentence).replace(DECIMAL, `$1${POINT}$2`), detail: null };
+  return sentence === null ? { text: words.findingTitles[code](n, count(n)), detail: own } : { text: inChosenUnit(sentence).replace(lengthsIn('(?:mm|in|m)'), (lengths) => lengths.replaceAll('.', POINT)), detail: null };
 }
 
 /** The name of a download: file, machine and date, as in "plate-co2-100w-2026-03-01.nc". */

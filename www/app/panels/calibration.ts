@@ -1,7 +1,7 @@
 /** Calibration: the seconds that one or two jobs really took, and the machine that is fitted to them, with the error before and after. */
 
 import { button, h } from '../core/dom.js';
-import { percent, seconds } from '../core/format.js';
+import { percent, seconds, upTo } from '../core/format.js';
 import { messageOf } from '../core/strings.js';
 import { shownIn } from '../core/lengths.js';
 import { words } from '../core/words/index.js';
@@ -76,7 +76,7 @@ function withMaterial(machine: MachineProfile, material: string | null): Machine
 }
 
 const error = (planned: number, measured: number) => `${planned >= measured ? '+' : '−'}${percent(Math.abs(planned / measured - 1))}`;
-const digits = (n: number | null | undefined, unit: string) => (typeof n !== 'number' ? words.machine.unlimited : String(Number((n / shownIn(unit).factor).toPrecision(4))));
+const digits = (n: number | null | undefined, unit: string) => (typeof n !== 'number' ? words.machine.unlimited : upTo(Number((n / shownIn(unit).factor).toPrecision(4)), 20));
 
 /** The error of each job and the fitted values, before and after. */
 function rows({ jobs, machine }: Calibration, { state: { machine: before } }: Session): HTMLElement[] {

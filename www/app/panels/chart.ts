@@ -7,7 +7,7 @@ import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { colorOf } from '../core/color.js';
 import { h, setText } from '../core/dom.js';
-import { LONG, seconds } from '../core/format.js';
+import { LONG, seconds, upTo } from '../core/format.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
 import type { Theme } from '../core/theme.js';
@@ -40,8 +40,8 @@ export function chart(session: Session, theme: Theme): HTMLElement {
     select: { show: false, left: 0, top: 0, width: 0, height: 0 },
     scales: { x: { time: false, distr: 3, range: (_u, _low, high) => [FIRST, Math.max(1, high)] }, y: { range: (_u, low, high) => pad(low, high) } },
     axes: [
-      { ...axis, size: 22, space: 40, filter: decades, grid: { ...axis.grid, filter: decades }, values: (_u, splits) => splits.map((s) => (s === null ? '' : `${Number(s.toPrecision(3))} s`)) },
-      { ...axis, size: 52, space: 32, values: (_u, splits) => splits.map((s) => (s < LONG ? `${Math.round(s * 100) / 100} s` : seconds(s))) },
+      { ...axis, size: 22, space: 40, filter: decades, grid: { ...axis.grid, filter: decades }, values: (_u, splits) => splits.map((s) => (s === null ? '' : `${upTo(s, 3)} s`)) },
+      { ...axis, size: 52, space: 32, values: (_u, splits) => splits.map((s) => (s < LONG ? `${upTo(s, 2)} s` : seconds(s))) },
     ],
     series: [
       {},

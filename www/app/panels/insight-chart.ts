@@ -5,7 +5,7 @@ import 'uplot/dist/uPlot.min.css';
 import type { Insight } from 'kerfway';
 import { colorOf } from '../core/color.js';
 import { h, setText } from '../core/dom.js';
-import { count } from '../core/format.js';
+import { count, upTo } from '../core/format.js';
 import type { Insights } from '../session/insights.js';
 import { words } from '../core/words/index.js';
 
@@ -85,5 +85,5 @@ function room(low: number | null, high: number | null): [number, number] {
 /** Three significant digits; from 1000 on a whole number. */
 export function short(value: number): string {
   if (Math.abs(value) >= 1000) return count(Math.round(value));
-  return String(Number(value.toPrecision(3)));
+  return upTo(Number(value.toPrecision(3)), 20);
 }

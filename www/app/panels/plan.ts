@@ -1,6 +1,7 @@
 /** How the path is searched: method, time, seed; and the rules that every plan follows, in the terms of laser software. */
 
 import { h, setText } from '../core/dom.js';
+import { upTo } from '../core/format.js';
 import type { MethodInfo, PaperMethod } from 'kerfway';
 import { messageOf } from '../core/strings.js';
 import type { Session } from '../session/session.js';
@@ -14,7 +15,7 @@ const BUDGETS = [2, 5, 10, 30, 60, 300];
 /** The entry of the list of methods that unfolds those from papers. */
 const MORE = '*';
 
-const span = (s: number) => (s < 60 || s % 60 > 0 ? `${s} s` : `${s / 60} min`);
+const span = (s: number) => (s < 60 || s % 60 > 0 ? `${upTo(s, 3)} s` : `${s / 60} min`);
 
 export function planPanel(session: Session): HTMLElement {
   const { root, body, setGist } = section(words.plan.title, false);

@@ -42,7 +42,7 @@ const { sentences } = words;
 const patterns = sentences === undefined ? null : await import('./sentences.js').catch(() => null);
 
 /** A sentence of the planner in the language of the page; null where there is none, and in English. */
-export const translated = (sentence: string): string | null => (sentences === undefined || patterns === null ? null : patterns.translated(sentences, sentence));
+export const translated = (sentence: string): string | null => (sentences === undefined || patterns === null ? null : patterns.translated(sentences, sentence, words.numbers.locale));
 
 /** The language of the page. */
 export const language: Language = words === en ? 'en' : wanted;

@@ -33,6 +33,8 @@ export const SENTENCES = {
   borderCut: 'The border around everything is cut, as you chose, although {}.',
   borderDoubt: 'The rectangle around everything may be the sheet and not a cut: {}. It is currently cut: keep it, or ignore it.',
   aloneOnLayer: 'it is alone on layer {}',
+  partInside: '1 part lies inside it',
+  partsInside: '{} parts lie inside it',
   sold: 'sheets of {} x {} mm are sold',
   nothingElse: 'nothing else is on layer {}',
   leftOut: '{} {} left out: {}.',
@@ -64,11 +66,17 @@ const SPECIAL = /[.*+?^$()|[\]\\]/g;
 
 const PATTERNS = Object.entries(SENTENCES).map(([key, pattern]) => [key as keyof Sentences, new RegExp(`^${pattern.replace(SPECIAL, '\\$&').replaceAll('{}', '(.+?)')}$`)] as const);
 
-/** A sentence of the planner in a language; null where there is none. */
-export function translated(own: Sentences, sentence: string): string | null {
+/** A sentence of the planner in a language; null where there is none. `locale`: the language's code. */
+export function translated(own: Sentences, sentence: string, locale: string): string | null {
   for (const [key, pattern] of PATTERNS) {
     const [, ...values] = pattern.exec(sentence) ?? [];
-    if (values.length > 0 || sentence === SENTENCES[key]) return own[key].replace(/\{(\d)\}/g, (_all, k: string) => translated(own, values[Number(k)] ?? '') ?? values[Number(k)] ?? '');
+    if (values.length > 0 || sentence === SENTENCES[key]) return own[key].replace(/\{(\d)\}/g, (_all, k: string) => phrases(own, values[Number(k)] ?? '', locale));
   }
   return null;
+}
+
+/** A value of a sentence: phrases of the planner, which it joins by "and", in the language; anything else as it is. */
+function phrases(own: Sentences, value: string, locale: string): string {
+  const all = value.split(', and ').map((phrase) => translated(own, phrase, locale));
+  return all.every((phrase) => phrase !== null) ? new Intl.ListFormat(locale).format(all) : value;
 }
