@@ -43,6 +43,8 @@ export default defineConfig({
   build: {
     outDir: at('../../dist/app'), emptyOutDir: true, target: 'es2022',
     rolldownOptions: {
+      // The page opens planners itself: reading a function of the package that it does not call keeps nothing.
+      treeshake: { propertyReadSideEffects: false },
       output: {
         // What the page needs at once is one file: many small ones are larger when they are compressed.
         codeSplitting: { groups: [{ debugName: 'page', name: (id, context) => (isNeededAtOnce(id, context) ? 'page' : null) }] },

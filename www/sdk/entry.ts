@@ -14,22 +14,33 @@ export interface Entry extends Functions {
   configure(configuration: Configuration): void;
 }
 
-/** The functions of an entry point. */
-export function entry(platform: Platform): Entry {
+/** Opens planners on a platform. */
+export function opening(platform: Platform): Pick<Entry, 'createPlanner' | 'configure'> {
   let configured: Configuration = {};
   const open = plannerFactory(platform);
-  const createPlanner = (options: PlannerOptions = {}) => open({ ...configured, ...options });
   return {
-    createPlanner,
-    createPool: (options = {}) => {
-      checkPlaces(options, true);
-      const { size = platform.processors(), queue, deadline, ...places } = options;
-      return poolOf(() => createPlanner(places), size, queue, deadline);
-    },
+    createPlanner: (options = {}) => open({ ...configured, ...options }),
     configure: (configuration) => {
       checkPlaces(configuration);
       configured = { ...configured, ...configuration };
     },
+  };
+}
+
+/** What works with planners of its own. Nothing happens before the first call, so that a bundler may leave out what is not used. */
+export function working({ createPlanner }: Pick<Entry, 'createPlanner'>, { processors }: Platform): Functions & Pick<Entry, 'createPool'> {
+  return {
+    createPool: (options = {}) => {
+      checkPlaces(options, true);
+      const { size = processors(), queue, deadline, ...places } = options;
+      return poolOf(() => createPlanner(places), size, queue, deadline);
+    },
     ...createFunctions(withNewPlanner(createPlanner)),
   };
+}
+
+/** The functions of an entry point. */
+export function entry(platform: Platform): Entry {
+  const planners = opening(platform);
+  return { ...planners, ...working(planners, platform) };
 }

@@ -9,7 +9,7 @@
  * @module kerfway
  */
 
-import { entry, type Entry } from './entry.js';
+import { type Entry, opening, working } from './entry.js';
 import { KerfwayError } from './errors.js';
 import { wasmAt, workerAt, type Places } from './places.js';
 import { webWorkers } from './web-worker.js';
@@ -42,10 +42,13 @@ const workers = (places: Places) => {
   return webWorkers(url === undefined ? beside : () => new Worker(url, { type: 'module' }), REMEDY);
 };
 
-const own = entry({ read, readOutputs, workers, processors: () => navigator.hardwareConcurrency });
+const platform = { read, readOutputs, workers, processors: () => navigator.hardwareConcurrency };
+const planners = opening(platform);
+// A page that opens planners itself is bundled without the rest.
+const own = /* @__PURE__ */ working(planners, platform);
 
 /** Opens a planner and resolves when its worker is ready. Close it when done: an open planner keeps its memory. */
-export const createPlanner: Entry['createPlanner'] = own.createPlanner;
+export const createPlanner: Entry['createPlanner'] = planners.createPlanner;
 
 /** Reads a drawing in a worker of its own and describes its contents: see {@link Functions.inspect}. */
 export const inspect: Entry['inspect'] = own.inspect;
@@ -69,4 +72,4 @@ export const check: Entry['check'] = own.check;
 export const createPool: Entry['createPool'] = own.createPool;
 
 /** Says where all planners that are opened from now on run and where their files are: see {@link Configuration}. */
-export const configure: Entry['configure'] = own.configure;
+export const configure: Entry['configure'] = planners.configure;
