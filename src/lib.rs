@@ -102,6 +102,7 @@ pub mod heat;
 pub mod job;
 pub mod joint;
 pub mod lead;
+mod letters;
 pub mod machine;
 mod number;
 mod order;

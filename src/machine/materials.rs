@@ -3,12 +3,12 @@
 use super::profile::Profile;
 use super::settings::MaterialSetting;
 use crate::fields::{Fault, FieldError, shown};
+use crate::letters::same_name;
 
 impl Profile {
     /// The setting for a material. Names are compared without case and without spaces at their ends.
     pub fn material(&self, name: &str) -> Option<&MaterialSetting> {
-        let key = |name: &str| name.trim().to_lowercase();
-        self.materials.iter().find(|m| key(&m.name) == key(name))
+        self.materials.iter().find(|m| same_name(&m.name, name))
     }
 
     /// The machine with a material of its library on it.

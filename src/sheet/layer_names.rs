@@ -5,6 +5,7 @@
 //! CUT_FRAME is cut.
 
 use super::model::Operation;
+use crate::letters::lower;
 
 /// Words for cutting in the common languages of drawings.
 const CUT: &[&str] =
@@ -167,18 +168,6 @@ fn words(name: &str) -> Vec<String> {
         lower_before = letter && small == c;
     }
     words
-}
-
-/// A letter of the Latin, Greek or Cyrillic alphabets in lower case; any other character unchanged. Layer names use
-/// these alphabets, and the tables for all of Unicode would add 9 KB to the wasm file.
-pub(super) fn lower(c: char) -> char {
-    let distance = match c {
-        'À'..='Þ' if c != '×' => 0x20,
-        'Α'..='Ω' | 'А'..='Я' => 0x20,
-        'Ѐ'..='Џ' => 0x50,
-        _ => return c.to_ascii_lowercase(),
-    };
-    char::from_u32(c as u32 + distance).unwrap_or(c)
 }
 
 #[cfg(test)]

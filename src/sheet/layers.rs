@@ -12,6 +12,7 @@ use super::source::Line;
 use crate::drawing::Drawing;
 use crate::fields::nearest;
 use crate::finding::{Code, Finding, Findings, Severity};
+use crate::letters::lower;
 use crate::machine::Settings;
 
 /// The layers of a drawing with their operations, at the same indices. The contours on them are counted later.
@@ -112,5 +113,5 @@ pub(super) fn lines_of<'d>(drawing: &'d Drawing, layers: &[LayerUse], operation:
 }
 
 fn key(name: &str) -> String {
-    name.chars().map(layer_names::lower).collect()
+    name.chars().map(lower).collect()
 }

@@ -169,9 +169,10 @@ mod tests {
         DVec2::new(x, y)
     }
 
-    /// 100 mm/s without acceleration, and a lift of `seconds` in all, at rest. The nozzle has a radius of 5 mm with its margin.
+    /// 100 mm/s without acceleration, and a lift of `seconds` in all, at rest. The nozzle has a radius of 5 mm with its margin. No bed.
     fn machine(seconds: f64) -> Profile {
         let mut machine = preset("co2-100w").unwrap();
+        machine.bed = None;
         machine.travel = Travel::Vector;
         machine.rapid.speed = [100.0; 2];
         machine.rapid.accel = None;

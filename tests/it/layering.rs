@@ -8,13 +8,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// What everything from the readers on may use.
-const GROUND: &[&str] = &["order", "number", "geometry", "finding", "fields"];
+const GROUND: &[&str] = &["order", "number", "letters", "geometry", "finding", "fields"];
 
 /// Folders and files of `src`, from the ground up, each with those it may use in addition to itself and [`GROUND`]. The row with
 /// the longest name that fits a file applies to it.
 const ALLOWED: &[(&str, &[&str])] = &[
     ("order", &[]),
     ("number", &[]),
+    ("letters", &[]),
     ("geometry", &[]),
     ("finding", &[]),
     ("fields", &[]),
@@ -60,7 +61,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
 ];
 
 /// The ground itself, from the bottom up: each may use those before it.
-const FIRST: &[&str] = &["order", "number", "geometry", "finding", "fields"];
+const FIRST: &[&str] = &["order", "number", "letters", "geometry", "finding", "fields"];
 
 /// The row of [`ALLOWED`] that a file belongs to.
 fn layer(file: &str) -> Option<&'static str> {
