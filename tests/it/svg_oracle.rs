@@ -47,15 +47,40 @@ fn collect(group: &usvg::Group, height: f64, pieces: &mut Vec<[DVec2; 2]>) {
                     let [sx, kx, ky, sy, tx, ty] = [t.sx, t.kx, t.ky, t.sy, t.tx, t.ty].map(f64::from);
                     DVec2::new(sx * x + kx * y + tx, height - (ky * x + sy * y + ty)) * PIXEL
                 };
-                flatten(path.data(), place, pieces);
+                // A fill closes every subpath, and shows nothing of a single straight line.
+                let closing = path.stroke().is_none();
+                for one in subpaths(path.data())
+                    .filter(|one| !closing || !matches!(one[..], [_, PathSegment::LineTo(_)]))
+                {
+                    let close = closing && !matches!(one.last(), Some(PathSegment::Close));
+                    flatten(one.into_iter().chain(close.then_some(PathSegment::Close)), place, pieces);
+                }
             }
             _ => {}
         }
     }
 }
 
+/// The parts of a path, each from a move to the next. What follows a closed part without a move begins where that began.
+fn subpaths(path: &usvg::tiny_skia_path::Path) -> impl Iterator<Item = Vec<PathSegment>> {
+    let mut all: Vec<Vec<PathSegment>> = Vec::new();
+    for segment in path.segments() {
+        let ended = all.last().is_none_or(|one| matches!(one.last(), Some(PathSegment::Close)));
+        match segment {
+            PathSegment::MoveTo(_) => all.push(Vec::new()),
+            _ if ended => {
+                let start = all.last().and_then(|one| one.first().copied());
+                all.push(start.into_iter().collect());
+            }
+            _ => {}
+        }
+        all.last_mut().unwrap().push(segment);
+    }
+    all.into_iter()
+}
+
 fn flatten(
-    path: &usvg::tiny_skia_path::Path,
+    segments: impl Iterator<Item = PathSegment>,
     place: impl Fn(f32, f32) -> DVec2,
     pieces: &mut Vec<[DVec2; 2]>,
 ) {
@@ -73,7 +98,7 @@ fn flatten(
             before = p;
         }
     };
-    for segment in path.segments() {
+    for segment in segments {
         match segment {
             PathSegment::MoveTo(p) => {
                 at = place(p.x, p.y);
