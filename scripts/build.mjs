@@ -234,7 +234,6 @@ function weigh() {
 const FIRST_SAMPLE = 'sheet_500.dxf';
 
 /**
-/**
  * Not fetched before it is needed: the writers of programs, the research build, the PNG renderer, other languages, other orders to compare with,
  * source maps, samples past the first, and the planner without a worker, which the page never uses. Nor are compressed copies.
  */
