@@ -148,9 +148,10 @@ class HttpService {
 
   private async work(kind: JobKind, request: IncomingMessage, url: URL, gone: AbortController): Promise<Reply> {
     if (this.stopping) throw new KerfwayError('stopping', 'The service is about to stop. Send the drawing again in a moment.');
-    if (await this.backend.full()) throw busy();
     // Bodies that are still arriving take memory, too, so they count before they are read.
     this.takePlace(gone);
+    if (await this.backend.full()) throw busy();
+    gone.signal.throwIfAborted();
     const { bytes, name, fields } = await uploadOf(request, this.settings);
     this.metrics.drawing(bytes.byteLength);
     const options = requestOptions(kind, url.searchParams, fields, this.settings);
