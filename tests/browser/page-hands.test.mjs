@@ -15,12 +15,18 @@ const readAgain = (page) => replanned(page, () => page.evaluate(() => {
 
 const focused = (page) => page.evaluate(() => document.activeElement.getAttribute('aria-label') ?? document.activeElement.textContent);
 
-test('what is typed for a layer stays when the drawing is read again meanwhile', async (t) => {
+/** A page with a planned drawing, whose section is open. */
+async function withDrawingOpen(t, name) {
   const { page } = await openPage(t, { hash: 'seconds=0.4&units=mm' });
   await phase(page, 'planning', 'done');
-  await drop(page, 'layers.dxf', grid(20));
-  await planned(page, 'layers.dxf', 'done');
+  await drop(page, name, grid(20));
+  await planned(page, name, 'done');
   await page.locator('.section').first().evaluate((e) => (e.open = true));
+  return page;
+}
+
+test('what is typed for a layer stays when the drawing is read again meanwhile', async (t) => {
+  const page = await withDrawingOpen(t, 'layers.dxf');
   await page.getByRole('button', { name: 'Settings of layer CUT' }).click();
   await page.getByLabel('Power, layer CUT', { exact: true }).focus();
   // No number yet: a field gives no value for it.
@@ -55,11 +61,7 @@ test('findings stay open and keep the focus when they are listed again', async (
 });
 
 test('a rule that is removed by keyboard leaves the focus in its list', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=0.4&units=mm' });
-  await phase(page, 'planning', 'done');
-  await drop(page, 'pins.dxf', grid(20));
-  await planned(page, 'pins.dxf', 'done');
-  await page.locator('.section').first().evaluate((e) => (e.open = true));
+  const page = await withDrawingOpen(t, 'pins.dxf');
   for (let k = 0; k < 3; k += 1) {
     await page.keyboard.press('End');
     await replanned(page, () => page.keyboard.press('1'));

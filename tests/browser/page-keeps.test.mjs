@@ -39,6 +39,17 @@ async function skip(page) {
 /** Waits until the browser has stored the current job. */
 const stored = (page) => page.locator('.kept').waitFor({ state: 'attached' }).then(() => page.waitForFunction(() => !document.querySelector('.kept').hidden));
 
+/** Two tabs with one file: the second begins with the job that the first keeps. */
+async function twoTabs(t) {
+  const { page, url } = await openPage(t, { hash: 'seconds=0.4' });
+  await done(page, 'own.dxf', grid(60));
+  await stored(page);
+  const other = await page.context().newPage();
+  await other.goto(url);
+  await planned(other, 'own.dxf', 'done');
+  return { page, other };
+}
+
 test('a wrong file leaves the drawing, its plan and its undo as they were, and is explained beside them', async (t) => {
   const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await done(page, 'own.dxf', grid(60));
@@ -121,12 +132,7 @@ test('a reload and a crash bring back the drawing, its decisions and its plan; o
 });
 
 test('tabs with the same file keep a job each; a new tab begins with the newest', async (t) => {
-  const { page, url } = await openPage(t, { hash: 'seconds=0.4' });
-  await done(page, 'own.dxf', grid(60));
-  await stored(page);
-  const other = await page.context().newPage();
-  await other.goto(url);
-  await planned(other, 'own.dxf', 'done');
+  const { page, other } = await twoTabs(t);
   await skip(other);
   await storedWith(other, 1);
   await page.reload();
@@ -224,12 +230,7 @@ test('a job that another tab has deleted, to keep its own, is kept again with it
 });
 
 test('what is forgotten in one tab is not said to be kept in another', async (t) => {
-  const { page, url } = await openPage(t, { hash: 'seconds=0.4' });
-  await done(page, 'own.dxf', grid(60));
-  await stored(page);
-  const other = await page.context().newPage();
-  await other.goto(url);
-  await planned(other, 'own.dxf', 'done');
+  const { page, other } = await twoTabs(t);
   await stored(other);
   await other.locator('.notice').getByRole('button', { name: 'Forget it' }).click();
   await other.getByText('Forgotten: nothing').waitFor();

@@ -7,7 +7,7 @@ use sources::{Arrow, Files, arrows};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-/// What everything from the readers on may use.
+/// What everything from the readers on may use, from the bottom up: each of these may use those before it.
 const GROUND: &[&str] = &["order", "number", "letters", "geometry", "finding", "fields"];
 
 /// Folders and files of `src`, from the ground up, each with those it may use in addition to itself and [`GROUND`]. The row with
@@ -60,9 +60,6 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ),
 ];
 
-/// The ground itself, from the bottom up: each may use those before it.
-const FIRST: &[&str] = &["order", "number", "letters", "geometry", "finding", "fields"];
-
 /// The row of [`ALLOWED`] that a file belongs to.
 fn layer(file: &str) -> Option<&'static str> {
     let is_in = |name: &str| file.strip_prefix(name).is_some_and(|rest| rest.starts_with(['/', '.']));
@@ -72,8 +69,8 @@ fn layer(file: &str) -> Option<&'static str> {
 fn is_allowed(from: &str, to: &str) -> bool {
     let inside =
         |name: &str, row: &str| name == row || name.strip_prefix(row).is_some_and(|r| r.starts_with('/'));
-    if let Some(place) = FIRST.iter().position(|name| *name == from) {
-        return FIRST[..=place].contains(&to);
+    if let Some(place) = GROUND.iter().position(|name| *name == from) {
+        return GROUND[..=place].contains(&to);
     }
     let row = ALLOWED.iter().find(|row| row.0 == from).map_or(&[][..], |row| row.1);
     inside(to, from) || GROUND.contains(&to) || row.iter().any(|name| inside(to, name))
