@@ -40,7 +40,7 @@ const featureOf = (name, quick) => (quick && /outputs|png/.test(name) ? 'outputs
 
 /**
  * What wasm-opt does to a release. What LLVM left outside stays outside but for the smallest functions, and like functions lie side by side. A
- * look at the whole program and a second turn make the core 1.7 kB smaller by gzip, and 1.5 kB by Brotli.
+ * look at the whole program and a second turn make the core 1.3 to 1.7 kB smaller by gzip (two builds).
  */
 const OPTIMISE = ['-O3', '--gufa-optimizing', '-O3', '--flexible-inline-max-function-size=8', '--one-caller-inline-max-function-size=0', '--reorder-functions-by-name'];
 

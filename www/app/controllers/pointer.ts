@@ -61,13 +61,16 @@ export class Pointer {
     return true;
   }
 
-  /** Lets clicks place micro-joints on contours and remove them, or ends that if they do already. `show` is told so, and when it ends in another way. */
+  /**
+   * Begins or ends the placing of micro-joints: clicks place them on contours and remove them. `show` is called with whether they are being
+   * placed, now and whenever that changes.
+   */
   togglePlacing(show?: (on: boolean) => void): void {
     if (show) this.showPlacing = show;
     this.placeJoints(!this.placingJoints);
   }
 
-  /** The same by a choice. Returns whether it was going on. */
+  /** Begins the placing of micro-joints, or ends it. Returns whether they were being placed before. */
   placeJoints(on: boolean): boolean {
     const before = this.placingJoints;
     this.placingJoints = on;
