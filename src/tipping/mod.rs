@@ -18,6 +18,7 @@
 
 mod around;
 mod outline;
+mod per_axis;
 mod piece;
 
 pub use outline::polygon;
@@ -25,6 +26,7 @@ pub use piece::Piece;
 
 use crate::geometry::{Aabb, BoxIndex, DVec2};
 use crate::machine::{AirTime, Profile};
+use per_axis::PerAxis;
 
 /// Added to the reach of the nozzle, mm, so that a way that just keeps clear does so by any formula.
 const SAFETY: f64 = 0.05;
@@ -36,13 +38,14 @@ pub struct Zones {
     index: BoxIndex,
     reach: f64,
     down: AirTime,
+    per_axis: Option<PerAxis>,
     lifted: Option<AirTime>,
     avoids: bool,
     /// Ways around pieces stay on the bed.
     bed: Option<Aabb>,
 }
 
-/// How a move with the beam off gets from one place to another.
+/// How a rapid gets from one place to another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Leg {
     /// Seconds.
@@ -54,9 +57,9 @@ pub struct Leg {
 /// The way of a [`Leg`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum LegWay {
-    /// Straight, over nothing that may have tipped.
+    /// As the machine runs without a way point, over nothing that may have tipped.
     Straight,
-    /// Straight with the head down, over a piece that may have tipped.
+    /// The same with the head down, over a piece that may have tipped.
     Crosses,
     /// With the head down around such pieces, by these places.
     Around(Vec<DVec2>),
@@ -75,6 +78,7 @@ impl Zones {
             index,
             reach,
             down: AirTime::head_down(machine),
+            per_axis: PerAxis::new(machine),
             lifted: AirTime::lifted_always(machine),
             avoids: tips.avoids(),
             bed: machine.bed(),
@@ -91,17 +95,18 @@ impl Zones {
         &self.pieces
     }
 
-    /// Whether a straight move with the head down crosses a piece that is free.
+    /// Whether a straight cut crosses a piece that is free.
     pub fn crosses(&self, from: DVec2, to: DVec2, is_free: impl Fn(&Piece) -> bool) -> bool {
         let mut crosses = false;
-        self.visit(from, to, &is_free, |_| {
-            crosses = true;
-            false
+        self.index.visit(Aabb::of(from).with(to), |k| {
+            let free = self.pieces.get(k).filter(|p| from != to && is_free(p));
+            crosses = free.is_some_and(|p| p.is_crossed(from, to, self.reach));
+            !crosses
         });
         crosses
     }
 
-    /// The free pieces that a straight move with the head down crosses.
+    /// The free pieces that a rapid with the head down crosses.
     pub fn crossed(&self, from: DVec2, to: DVec2, is_free: impl Fn(&Piece) -> bool) -> Vec<&Piece> {
         let mut found = Vec::new();
         self.visit(from, to, &is_free, |k| {
@@ -114,7 +119,12 @@ impl Zones {
     /// The fastest way from place to place. `is_free` says which pieces have been cut free before the move.
     pub fn leg(&self, from: DVec2, to: DVec2, is_free: impl Fn(&Piece) -> bool) -> Leg {
         let straight = self.down.seconds(from, to);
-        if !self.crosses(from, to, &is_free) {
+        let mut crosses = false;
+        self.visit(from, to, &is_free, |_| {
+            crosses = true;
+            false
+        });
+        if !crosses {
             return Leg { seconds: straight, way: LegWay::Straight };
         }
         let Some(lifted) = self.lifted.as_ref().filter(|_| self.avoids) else {
@@ -132,7 +142,7 @@ impl Zones {
         self.down.seconds(from, to)
     }
 
-    /// Calls `visit` with the free pieces that a straight move crosses, until it returns `false`.
+    /// Calls `visit` with the free pieces that a rapid crosses, until it returns `false`.
     fn visit(
         &self,
         from: DVec2,
@@ -143,8 +153,14 @@ impl Zones {
         if from == to {
             return;
         }
+        let corner = self.per_axis.map(|axes| axes.corner(from, to, &self.down));
+        let corner = corner.filter(|c| *c != from && *c != to);
+        let crosses = |piece: &Piece| {
+            piece.is_crossed(from, to, self.reach)
+                || corner.is_some_and(|c| piece.is_crossed_within([from, c, to], self.reach))
+        };
         self.index.visit(Aabb::of(from).with(to), |k| match self.pieces.get(k) {
-            Some(piece) if is_free(piece) && piece.is_crossed(from, to, self.reach) => visit(k),
+            Some(piece) if is_free(piece) && crosses(piece) => visit(k),
             _ => true,
         });
     }
@@ -227,6 +243,33 @@ mod tests {
         let leg = zones.leg(p(-50.0, 34.0), p(70.0, 34.0), |_| true);
         let LegWay::Around(places) = leg.way else { panic!("{leg:?}") };
         assert!(places.iter().all(|place| place.y > 68.0 || place.y < 0.0), "{places:?}");
+    }
+
+    #[test]
+    fn a_machine_that_moves_its_axes_apart_turns_into_a_piece_beside_the_straight_line() {
+        // 30 mm of y take less time than 100 mm of x: the head passes (30, 30), 3 mm below the square.
+        let (from, to) = (p(0.0, 0.0), p(100.0, 30.0));
+        let way = |travel, accel, from: DVec2, to: DVec2| {
+            let mut machine = machine(1.0);
+            (machine.travel, machine.rapid.accel) = (travel, accel);
+            let zones = Zones::new(&machine, vec![square(30.0, 33.0, 20.0)]).unwrap();
+            zones.leg(from, to, |_| true).way
+        };
+        for accel in [None, Some([1000.0; 2])] {
+            assert_eq!(way(Travel::Straight, accel, from, to), LegWay::Straight);
+            let around = way(Travel::PerAxis, accel, from, to);
+            assert!(matches!(around, LegWay::Around(_)), "{around:?}");
+            // Back, it turns at (70, 0).
+            assert_eq!(way(Travel::PerAxis, accel, to, from), LegWay::Straight);
+        }
+        // A square within the triangle of the way: neither the straight line nor the corner comes near it.
+        let within = |travel| {
+            let machine = Profile { travel, ..machine(0.1) };
+            let zones = Zones::new(&machine, vec![square(200.0, 130.0, 20.0)]).unwrap();
+            zones.leg(p(0.0, 0.0), p(400.0, 200.0), |_| true).way
+        };
+        assert_eq!(within(Travel::Straight), LegWay::Straight);
+        assert_ne!(within(Travel::PerAxis), LegWay::Straight);
     }
 
     #[test]

@@ -86,7 +86,20 @@ impl Piece {
             return false;
         }
         let is_nearer = nearest < ends - NEARER && !self.holds(from) && !self.holds(to);
-        is_nearer || self.runs_over(from, to)
+        is_nearer || self.runs_over(&[from, to])
+    }
+
+    /// Whether a move with the head down that runs anywhere within a triangle, from its first place to its last, crosses the piece
+    /// along the other two sides or has it within.
+    pub fn is_crossed_within(&self, triangle: [DVec2; 3], reach: f64) -> bool {
+        let [from, corner, to] = triangle;
+        let area = self.bounds.grown(reach);
+        let legs = [(from, corner), (corner, to)].into_iter().filter(|(a, b)| meets(*a, *b, &area));
+        let nearest = legs.map(|(a, b)| self.approach(a, b, reach).0).fold(f64::INFINITY, f64::min);
+        let outside = !self.holds(from) && !self.holds(to);
+        let is_nearer = || nearest < self.to_outline(from).min(self.to_outline(to)) - NEARER;
+        (nearest < reach && ((outside && is_nearer()) || self.runs_over(&triangle)))
+            || (outside && self.outline.iter().any(|&p| is_within(p, triangle)))
     }
 
     /// How near a move comes to the outline, and how near its ends are, mm; anything from `reach` on if it keeps that distance,
@@ -116,8 +129,19 @@ impl Piece {
         (nearest.sqrt(), ends.sqrt())
     }
 
-    /// Whether a move runs over the piece between places outside it. Where it begins or ends inside, that stretch is exempt.
-    fn runs_over(&self, from: DVec2, to: DVec2) -> bool {
+    /// Whether a move by these places runs over the piece between places outside it. Where it begins or ends inside, that stretch
+    /// is exempt.
+    fn runs_over(&self, places: &[DVec2]) -> bool {
+        let over: Vec<bool> = places.windows(2).flat_map(|w| self.stretches(w[0], w[1])).collect();
+        let is_over = |place: Option<&DVec2>| place.is_some_and(|&p| self.is_over(p));
+        let first = if is_over(places.first()) { over.iter().position(|o| !o) } else { Some(0) };
+        let last =
+            if is_over(places.last()) { over.iter().rposition(|o| !o) } else { over.len().checked_sub(1) };
+        first.zip(last).and_then(|(a, b)| over.get(a..=b)).is_some_and(|rest| rest.contains(&true))
+    }
+
+    /// Whether the stretches between outlines of a straight move are over the piece, in order.
+    fn stretches(&self, from: DVec2, to: DVec2) -> Vec<bool> {
         let way = to - from;
         let mut cuts: Vec<f64> = Vec::new();
         for (a, b) in self.edges() {
@@ -136,11 +160,8 @@ impl Piece {
         }
         cuts.sort_unstable_by(f64::total_cmp);
         let stops: Vec<f64> = [0.0].into_iter().chain(cuts).chain([1.0]).collect();
-        let last = stops.len() - 2;
-        stops.windows(2).enumerate().any(|(k, w)| {
-            let exempt = || (k == 0 && self.is_over(from)) || (k == last && self.is_over(to));
-            w[1] > w[0] && self.is_over(from + way * (0.5 * (w[0] + w[1]))) && !exempt()
-        })
+        let lengths = stops.windows(2).filter(|w| w[1] > w[0]);
+        lengths.map(|w| self.is_over(from + way * (0.5 * (w[0] + w[1])))).collect()
     }
 
     /// The corners of an octagon that keeps `reach` mm from the piece.
@@ -174,6 +195,12 @@ fn between((a, b): (DVec2, DVec2), (c, d): (DVec2, DVec2)) -> f64 {
         return 0.0;
     }
     to_line(c, a, b).min(to_line(d, a, b))
+}
+
+/// Whether a place is within a triangle, and not on a side of it.
+fn is_within(p: DVec2, [a, b, c]: [DVec2; 3]) -> bool {
+    let [u, v, w] = [(a, b), (b, c), (c, a)].map(|(a, b)| (b - a).perp_dot(p - a));
+    u * v > 0.0 && v * w > 0.0
 }
 
 /// Whether a line shares a point with a box.
@@ -219,7 +246,7 @@ mod tests {
                 let nearest = piece.edges().map(|(a, b)| to_move(a, b)).fold(f64::INFINITY, f64::min).sqrt();
                 let ends = piece.distance(from).min(piece.distance(to));
                 let expected =
-                    nearest < 5.0 && (nearest < ends - NEARER || piece.runs_over(from, to)) && from != to;
+                    nearest < 5.0 && (nearest < ends - NEARER || piece.runs_over(&[from, to])) && from != to;
                 assert_eq!(piece.is_crossed(from, to, 5.0), expected, "{from} to {to}");
                 if expected { crossed += 1 } else { clear += 1 }
             }

@@ -6,7 +6,8 @@
 writes `tests/fixtures/tips.json`: for each plan the hash of its moves, the contours whose pieces may tip, and the moves with the head down that
 cross such a piece while it is free. `tests/it/tips/replay.rs` then checks that Kerfway still makes these plans. A piece is the area within a
 closed contour that is cut, as the cuts of the plan run around it; it is free from the last of these cuts on, with those of neighbours that cut
-sides of it, and held if the plan leaves a micro-joint on it. A move with the head down crosses a piece where it runs over it, but for a stretch at an end that begins over it, or where it
+sides of it, and held if the plan leaves a micro-joint on it. Where the machine moves each axis by itself (`per-axis`), a move is followed along the way
+of both axes. A move with the head down crosses a piece where it runs over it, but for a stretch at an end that begins over it, or where it
 comes nearer to it than nozzle and margin allow and nearer than at both of its ends.
 
 `surely` are the moves that cross by more than a tenth of a millimetre, `maybe` those that cross but for as much.
@@ -87,11 +88,38 @@ def pieces(plan):
     return found
 
 
+def gone(length, speed, accel, t):
+    """How far an axis has gone after `t` of the seconds that it takes from rest to rest; and these seconds."""
+    top = min(speed, math.sqrt(accel * length)) if accel else speed
+    ramp = top / accel if accel else 0.0
+    seconds = length / top + ramp if length else 0.0
+    if t >= seconds:
+        return length, seconds
+    # Up to the end of the ramp, at full speed, and down the ramp, as seen from the nearer end.
+    near = min(t, seconds - t)
+    path = 0.5 * accel * near * near if near < ramp else top * (near - 0.5 * ramp)
+    return (path if t <= 0.5 * seconds else length - path), seconds
+
+
+def way_of(machine, start, end):
+    """The line along which the head runs, down, without a way point."""
+    if machine["travel"] != "per-axis":
+        return shapely.LineString([start, end])
+    rapid, axes = machine["rapid"], []
+    for k in (0, 1):
+        accel = rapid["accel"][k] if rapid.get("accel") else None
+        axes.append((abs(end[k] - start[k]), rapid["speed"][k], accel, math.copysign(1.0, end[k] - start[k])))
+    seconds = max(gone(*axis[:3], 0.0)[1] for axis in axes)
+    count = max(2, math.ceil(2 * sum(axis[0] for axis in axes)))
+    at = lambda t: [p + axis[3] * gone(*axis[:3], t)[0] for p, axis in zip(start, axes)]  # noqa: E731
+    return shapely.LineString([start, *(at(seconds * k / count) for k in range(1, count)), end])
+
+
 def crosses(move, shape, reach, slack):
     """Whether a move crosses a piece by more than `slack` mm, which may be negative."""
     if move.distance(shape) > reach + SLACK:
         return False
-    ends = [shapely.Point(p) for p in move.coords]
+    ends = [shapely.Point(p) for p in (move.coords[0], move.coords[-1])]
     if move.distance(shape) < min(reach - slack, min(e.distance(shape) for e in ends) - slack):
         return True
     within = shape.buffer(-max(slack, 1e-3))
@@ -120,11 +148,13 @@ def replay(plan):
             marked.append(index)
         if move.get("way") == "lifted":
             continue
-        way = shapely.LineString([start, head])
-        free = [known[j][1] for j in tree.query(way.buffer(reach + SLACK)) if known[j][2] < index]
+        way = way_of(plan["machine"], start, head)
+        free = [known[j][1] for j in tree.query(shapely.box(*way.bounds).buffer(reach + SLACK)) if known[j][2] < index]
         if any(crosses(way, shape, reach, SLACK) for shape in free):
             surely.append(index)
-        if any(crosses(way, shape, reach, -SLACK) for shape in free):
+        # Where each axis moves by itself, a piece beside the way may be said to be crossed, as ramps are not known exactly.
+        beside = shapely.box(*way.bounds) if plan["machine"]["travel"] == "per-axis" else None
+        if any(crosses(way, shape, reach, -SLACK) or (beside and beside.distance(shape) < reach + SLACK) for shape in free):
             maybe.append(index)
     faults = [f"move {i} crosses a piece and does not say so" for i in surely if i not in marked]
     faults += [f"move {i} says that it crosses a piece" for i in marked if i not in maybe]

@@ -26,6 +26,7 @@ mod moving;
 mod nesting;
 mod order;
 mod passes;
+mod rapids;
 mod skeleton;
 mod skeleton_starts;
 mod sums;

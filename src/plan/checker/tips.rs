@@ -7,6 +7,7 @@
 use super::cut_apart;
 use super::joints_left::joints_left;
 use super::nesting::{pairs, winding};
+use super::rapids;
 use super::tip_sizes::{SIZE_SLACK, tips_up};
 use super::violation::Violation;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, distance};
@@ -113,19 +114,24 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             continue;
         }
         let line = Segment::line(from, *to);
+        let places = rapids::places(machine, from, *to);
+        let crosses = |p: &Piece, reach: f64, depth: f64, nearer: f64| match &places {
+            Some(places) => passes(places, &p.outline, reach, depth, nearer),
+            None => crosses(&line, &p.outline, reach, depth, nearer),
+        };
         let near = index.query(line.bounds());
         let free = || near.iter().filter_map(|&k| pieces.get(k)).filter(|p| p.free_from < step);
         let middle = (from + *to) * 0.5;
-        let crossed = free().find(|p| p.surely && crosses(&line, &p.outline, reach, DEPTH, -NEARER));
+        let crossed = free().find(|p| p.surely && crosses(p, reach, DEPTH, -NEARER));
+        // Where each axis moves by itself, a piece beside the way may be said to be crossed, as ramps are not known exactly.
+        let may_cross = |p: &Piece| places.is_some() || crosses(p, reach + SLACK, DEPTH * 0.1, NEARER);
         match (way, crossed) {
             (Way::Crosses, _) if avoids => {
                 let contour = crossed.map_or(0, |p| p.contour);
                 let what = "is down over a piece that may have tipped";
                 found.push(Violation::Tipped { step, contour, what, at: middle });
             }
-            (Way::Crosses, _)
-                if !free().any(|p| crosses(&line, &p.outline, reach + SLACK, DEPTH * 0.1, NEARER)) =>
-            {
+            (Way::Crosses, _) if !free().any(may_cross) => {
                 let what = "is said to cross a tipped piece where there is none";
                 found.push(Violation::Tipped { step, contour: 0, what, at: middle });
             }
@@ -217,7 +223,6 @@ fn from_piece(outline: &Path, p: DVec2) -> f64 {
 /// Whether a line crosses a piece: nearer to it than `reach`, and nearer than at both ends by more than `-nearer`; or
 /// `depth` mm over it, but for a stretch at an end that is over it.
 fn crosses(line: &Segment, outline: &Path, reach: f64, depth: f64, nearer: f64) -> bool {
-    let from_outline = |p: DVec2| from_outline(outline, p);
     let inside = |p: DVec2| winding(outline, p) != 0.0;
     let from_piece = |p: DVec2| from_piece(outline, p);
     let nearest = outline.segments.iter().map(|s| distance(line, s).0).fold(f64::INFINITY, f64::min);
@@ -229,8 +234,6 @@ fn crosses(line: &Segment, outline: &Path, reach: f64, depth: f64, nearer: f64) 
     if nearest > 0.0 && !inside(line.start()) {
         return false;
     }
-    // Where it begins or ends over the piece, the stretch within the outline is exempt.
-    let begins = |p: DVec2| from_outline(p) > BEGINS && inside(p);
     let count = (line.length() / STEP).ceil().clamp(2.0, MOST);
     let mut k = 0.0;
     let mut places = Vec::new();
@@ -238,9 +241,28 @@ fn crosses(line: &Segment, outline: &Path, reach: f64, depth: f64, nearer: f64) 
         places.push(line.at(k / count));
         k += 1.0;
     }
+    runs_over(&places, outline, depth)
+}
+
+/// The same for a way by places that are close to each other.
+fn passes(places: &[DVec2], outline: &Path, reach: f64, depth: f64, nearer: f64) -> bool {
+    let area = outline.bounds().grown(reach);
+    let near = places.iter().filter(|p| area.contains(**p));
+    let nearest = near.map(|p| from_outline(outline, *p)).fold(f64::INFINITY, f64::min);
+    let ends = places.first().into_iter().chain(places.last());
+    let ends = ends.map(|p| from_piece(outline, *p)).fold(f64::INFINITY, f64::min);
+    nearest < reach && (nearest < ends + nearer || runs_over(places, outline, depth))
+}
+
+/// Whether a way is `depth` mm over a piece. Where it begins or ends over the piece, the stretch within the outline is exempt.
+fn runs_over(places: &[DVec2], outline: &Path, depth: f64) -> bool {
+    let area = outline.bounds();
+    let inside = |p: DVec2| area.contains(p) && winding(outline, p) != 0.0;
+    let begins = |p: Option<&DVec2>| p.is_some_and(|&p| from_outline(outline, p) > BEGINS && inside(p));
     let outside = |p: &DVec2| !inside(*p);
-    let first = if begins(line.start()) { places.iter().position(outside) } else { Some(0) };
-    let last = if begins(line.end()) { places.iter().rposition(outside) } else { Some(places.len()) };
+    let first = if begins(places.first()) { places.iter().position(outside) } else { Some(0) };
+    let last = if begins(places.last()) { places.iter().rposition(outside) } else { Some(places.len()) };
     let Some((first, last)) = first.zip(last) else { return false };
-    places.get(first..last).is_some_and(|rest| rest.iter().any(|&p| from_outline(p) > depth && inside(p)))
+    let rest = places.get(first..last);
+    rest.is_some_and(|rest| rest.iter().any(|&p| inside(p) && from_outline(outline, p) > depth))
 }

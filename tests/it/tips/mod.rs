@@ -5,6 +5,7 @@ mod bed;
 mod chains;
 mod checker;
 mod fly;
+mod per_axis;
 mod pieces;
 mod replay;
 pub(crate) mod search;
