@@ -55,12 +55,11 @@ struct Stretch<'r> {
 
 impl<'r> Stretch<'r> {
     fn new(run: &'r [Sample], tolerance: f64) -> Self {
-        let (mut turned, mut length) = (vec![0.0; run.len()], vec![0.0; run.len()]);
+        let mut turned = vec![0.0; run.len()];
         for i in 1..run.len() {
             turned[i] = turned[i - 1] + run[i - 1].tangent.perp_dot(run[i].tangent).abs();
-            length[i] = length[i - 1] + run[i - 1].point.distance(run[i].point);
         }
-        Self { run, tolerance, turned, length }
+        Self { run, tolerance, turned, length: lengths(run) }
     }
 
     /// The biarc from sample `i`, starting `tilt` rad off its direction, to sample `j`, with the angle by which it ends
@@ -95,6 +94,16 @@ impl<'r> Stretch<'r> {
         let middle = self.length.partition_point(|l| *l < 0.5 * (start + end)).clamp(i + 1, j);
         Some((middle, self.biarc(i, tilt, middle)?))
     }
+}
+
+/// Length from the first sample up to each, mm.
+pub(super) fn lengths(run: &[Sample]) -> Vec<f64> {
+    let gaps = run.windows(2).map(|w| w[0].point.distance(w[1].point));
+    let sums = gaps.scan(0.0, |sum, gap| {
+        *sum += gap;
+        Some(*sum)
+    });
+    [0.0].into_iter().chain(sums).collect()
 }
 
 /// A sample with its direction turned by a small angle, rad.

@@ -12,7 +12,7 @@
 
 use super::biarc::{Biarc, TangentArc};
 use super::chain::{Chain, EXACT_SHARE};
-use super::cover::{SAMPLED_SHARE, cover, reach};
+use super::cover::{SAMPLED_SHARE, cover, lengths, reach};
 use super::recognise::single_segment;
 use super::sample::Sample;
 use super::sampler::{self, Curve};
@@ -102,16 +102,19 @@ fn exact_stretches(run: &[Sample], tolerance: f64) -> Vec<(usize, usize, Tangent
     /// A drawn element spans at least one interval of the sampling: four gaps, doubled.
     const MIN_GAPS: usize = 8;
     let mut out: Vec<(usize, usize, TangentArc)> = Vec::new();
+    let length = lengths(run);
     let mut i = 0;
     while i + MIN_GAPS < run.len() {
         let exact = |j: usize| tangent_arc(run, i, j, EXACT_SHARE * tolerance, MAX_END_ANGLE);
         let near = |j: usize| tangent_arc(run, i, j, SAMPLED_SHARE * tolerance, 1.0);
-        let far = |j: usize| run[i].point.distance(run[j].point);
         if exact(i + MIN_GAPS).is_some()
             && let Some((j, piece)) = reach(run, i, MIN_GAPS, exact)
-            && let Some((full, _)) = reach(run, i, MIN_GAPS, near)
         {
-            if far(j) >= MIN_EXACT_SHARE * far(full) {
+            // How far an arc reaches within the full tolerance does not matter, only whether it reaches farther than this: it may be over
+            // thousands of samples of a spline with many points.
+            let limit = length[i] + (length[j] - length[i]) / MIN_EXACT_SHARE;
+            let beyond = length.partition_point(|l| *l <= limit);
+            if beyond == run.len() || near(beyond).is_none() {
                 out.push((i, j, piece));
                 i = j;
             } else {
