@@ -85,6 +85,19 @@ describe('several workers', () => {
     assert.equal(progress.moves, 20_000);
   });
 
+  it('continue a plan that has not begun', async (t) => {
+    const { planner, workers } = await plannerWithWorkers(t);
+    const plan = planner.plan({ seed: 1, moves: 300_000, workers: 2 });
+    const more = planner.continue({ moves: 5_000 });
+    const last = planner.continue({ moves: 5_000 });
+    assert.equal((await plan.done).reason, 'stopped');
+    assert.equal((await more.done).reason, 'stopped');
+    const { reason, progress } = await last.done;
+    assert.deepEqual([reason, workers.length], ['budget', 2]);
+    // The first search may have made some moves before it heard that it goes on.
+    assert.ok(progress.moves >= 10_000, `${progress.moves} moves`);
+  });
+
   it('finish the plan when one of them dies', async (t) => {
     const { planner, workers } = await plannerWithWorkers(t);
     const plan = planner.plan({ seed: 1, seconds: 1, workers: 3 });

@@ -75,6 +75,8 @@ export class Planner {
   private drawing: Drawing | null = null;
   /** The last plan, running or ended. */
   private current: RunningPlan | null = null;
+  /** Plans that continue one which has not begun, each the one before it. */
+  private continued: { before: number; id: number; budget: Budget }[] = [];
   /** Messages wait for this: it resolves when the worker has started and has read the drawing. */
   private ready: Promise<void> = Promise.resolve();
   private readonly starting = new WorkerStart();
@@ -140,6 +142,7 @@ export class Planner {
   plan(given: PlanOptions = {}, onProgress: (progress: Progress) => unknown = () => {}): PlanHandle {
     return this.begin(onProgress, (plan) => {
       plan.options = checkOptions(withWarmPath(given), 'planning');
+      this.continued = [];
       this.others.end();
       this.endProof();
       return { type: 'plan', id: plan.id, options: plan.options };
@@ -189,9 +192,11 @@ export class Planner {
   continue(budget: Budget, onProgress: (progress: Progress) => unknown = () => {}): PlanHandle {
     return this.begin(onProgress, (plan) => {
       const own = checkOptions(budget, 'continue');
-      plan.options = { ...this.current?.options, ...own };
-      this.others.continue(this.current?.id, plan.id, own);
-      if (this.current !== null) plan.follow(this.current);
+      const before = this.current;
+      plan.options = { ...before?.options, ...own };
+      this.others.continue(before?.id, plan.id, own);
+      if (before?.begun === null) this.continued.push({ before: before.id, id: plan.id, budget: own });
+      if (before !== null) plan.follow(before);
       return { type: 'continue', id: plan.id, budget: own };
     });
   }
@@ -351,8 +356,10 @@ export class Planner {
     const plan = this.plans.get(message.id);
     if (plan !== undefined) {
       const { workers = 1 } = plan.options;
-      if (message.type === 'started' && workers > 1 && this.drawing !== null && plan === this.current) {
+      const isLast = plan === this.current || this.continued[0]?.before === plan.id;
+      if (message.type === 'started' && workers > 1 && this.drawing !== null && isLast) {
         this.others.begin(plan.id, { ...plan.options, seed: message.seed }, this.drawing);
+        for (const { before, id, budget } of this.continued.splice(0)) this.others.continue(before, id, budget);
       }
       if (this.others.runs(plan.id)) this.others.receive(0, message);
       // Its other searches have ended, so there is nobody to wait for.
