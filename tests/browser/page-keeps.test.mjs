@@ -264,6 +264,21 @@ test('where the browser blocks site data, the page works, and says once that not
   assert.equal(await first.isVisible(), false);
 });
 
+test('where drawings cannot be stored, another language waits until the person reloads', async (t) => {
+  const block = () => Object.defineProperty(window, 'indexedDB', { get: () => { throw new DOMException('The quota has been exceeded.', 'QuotaExceededError'); } });
+  const { page } = await openPage(t, { hash: 'seconds=0.4', prepare: block });
+  await done(page, 'own.dxf', grid(20));
+  await page.locator('.notice').getByText('stores nothing').waitFor();
+  await page.evaluate(() => (document.querySelector('.notice').hidden = true));
+  await page.locator('.top .settings').click();
+  await page.getByRole('button', { name: 'Deutsch', exact: true }).click();
+  await page.locator('.notice').getByText('Save the project to keep it').waitFor();
+  assert.equal(await page.locator('.file-name').textContent(), 'own.dxf');
+  await Promise.all([page.waitForEvent('load'), page.getByRole('button', { name: 'Reload now' }).click()]);
+  await page.waitForFunction(() => document.documentElement.lang === 'de');
+  await planned(page, 'sheet_500.dxf');
+});
+
 test('without a secure connection the job is kept, and the clipboard is said to be out of reach', async (t) => {
   const insecure = () => {
     delete Navigator.prototype.locks;

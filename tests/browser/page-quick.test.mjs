@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { dxf, square } from '../package/support.mjs';
+import { grid } from './page-drawings.mjs';
 import { drop, openPlanned, openPage, phase, plan, planned, replanned } from './page-support.mjs';
 
 /** Six squares in a row, on two layers by turns, mm. */
@@ -24,6 +25,58 @@ test('the operations of two layers, chosen at once, are both taken over', async 
   }));
   const { options } = await plan(page);
   assert.deepEqual(options.layers.map(({ name, operation }) => [name, operation]).sort(), [['0', 'cut'], ['EVEN', 'mark'], ['ODD', 'mark']]);
+});
+
+/** Chooses what is done with the first layer, and in the same moment presses a key, drops a file or chooses what is done with the second. */
+const chooseAnd = (page, index, also) => page.evaluate(([index, { key, file, second }]) => {
+  const operations = [...document.querySelectorAll('.layers select.operation')];
+  const choose = (list, index) => {
+    list.selectedIndex = index;
+    list.dispatchEvent(new Event('change', { bubbles: true }));
+  };
+  choose(operations[0], index);
+  if (second !== undefined) choose(operations[1], second);
+  if (key !== undefined) document.body.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
+  if (file === undefined) return;
+  const data = new DataTransfer();
+  data.items.add(new File(['%PDF-1.7'], file));
+  document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+}, [index, also]);
+
+test('a contour that is pinned while contours get other numbers does not pin another one', async (t) => {
+  const page = await openPlanned(t, 'co2-100w', 'row.dxf', ROW);
+  await openDrawing(page);
+  await page.keyboard.press('Home');
+  await replanned(page, () => chooseAnd(page, 2, { key: '1' }));
+  const { options } = await plan(page);
+  assert.deepEqual([options.first ?? [], options.layers.filter(({ operation }) => operation === 'ignore').length], [[], 1]);
+  assert.match(await page.locator('.notice').textContent(), /contours have changed/);
+  await page.keyboard.press('Home');
+  await replanned(page, () => page.keyboard.press('1'));
+  assert.equal((await plan(page)).options.first.length, 1);
+});
+
+test('a choice that is being read when an unusable file is dropped is taken over', async (t) => {
+  // Reading these again takes longer than finding out that the file is no drawing.
+  const page = await openPlanned(t, 'co2-100w', 'many.dxf', grid(6000, { step: 6 }));
+  await openDrawing(page);
+  await replanned(page, () => chooseAnd(page, 2, { file: 'letter.pdf' }));
+  await page.locator('.failure').getByText('letter.pdf').waitFor();
+  const { options, contours } = await plan(page);
+  const [ignored] = options.layers.filter(({ operation }) => operation === 'ignore');
+  assert.equal(contours.length, { HOLES: 2000, CUT: 4000 }[ignored.name]);
+});
+
+test('undo after two choices at once brings back the plan of the first, not that of the drawing before', async (t) => {
+  const page = await openPlanned(t, 'co2-100w', 'row.dxf', ROW);
+  await openDrawing(page);
+  await replanned(page, () => chooseAnd(page, 2, { second: 1 }));
+  await replanned(page, () => page.keyboard.press('Control+z'));
+  const { options, contours } = await plan(page);
+  assert.deepEqual(options.layers.map(({ name, operation }) => [name, operation]).sort(), [['0', 'cut'], ['EVEN', 'ignore'], ['ODD', 'cut']]);
+  assert.equal(contours.length, 3);
+  await replanned(page, () => page.keyboard.press('Control+z'));
+  assert.equal((await plan(page)).contours.length, 6);
 });
 
 test('a contour that is moved twice in a list at once ends up two places further', async (t) => {

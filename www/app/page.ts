@@ -65,13 +65,13 @@ export async function startPage(): Promise<void> {
     canvas.classList.toggle('selecting', on);
   } });
   const restart = async () => {
-    const start = async () => {
-      await keeper.settled();
-      location.reload();
-    };
-    // Of several files only the open one is kept, so the person decides when.
-    if (files.queue.items.length > 0) notices.show(words.settings.later, { label: words.settings.reload, act: () => void start() });
-    else await start();
+    await keeper.settled();
+    const start = () => location.reload();
+    const isOwn = session.drawing.source !== null && !session.state.sample;
+    // Of several files only the open one is kept, and in some browsers none, so the person decides when.
+    const lost = files.queue.items.length > 0 ? words.settings.later : isOwn && !keeper.keeps ? words.page.nothingKept : null;
+    if (lost === null) start();
+    else notices.show(lost, { label: words.settings.reload, act: () => void keeper.settled().then(start) });
   };
   const top = topBar(session, files.queue, theme, {
     open: () => files.choose(), sample: (sample) => files.chooseSample(sample),

@@ -10,7 +10,7 @@ import { words } from '../core/words/index.js';
 import type { Catalog } from './catalog.js';
 import { type KeptPlan, keptPlan } from './kept-plan.js';
 import type { Planning } from './planning.js';
-import { type Rule, RULES, sameContours, withoutRules, withRule } from './rules.js';
+import { namesContours, type Rule, sameContours, withoutRules, withRule } from './rules.js';
 import { type Question, QUESTIONS, type State } from './state.js';
 import type { Store } from './store.js';
 import { prepareSlowly } from '../stage/shapes.js';
@@ -54,6 +54,11 @@ export class Drawing {
     return this.opened;
   }
 
+  /** Whether the drawing is shown as it was last chosen; otherwise it is being read again. */
+  get isRead(): boolean {
+    return this.store.state.load === this.readWith;
+  }
+
   /**
    * Opens another drawing. One that cannot be used leaves the drawing before as it was. Resolves to the reason, one sentence, or to null. Files
    * are read one after the other, and of those that wait only the newest is.
@@ -77,7 +82,10 @@ export class Drawing {
       this.askOrPlan(plan);
       return null;
     } catch (error) {
-      return this.refuse(source.name, error, before);
+      const sentence = this.refuse(source.name, error, before);
+      // A choice that was being read when the file came is read now.
+      if (!this.isRead) void this.readAgain(this.store.state.load);
+      return sentence;
     }
   }
 
@@ -103,8 +111,9 @@ export class Drawing {
     const { loaded, load, opening } = this.store.state;
     if (!loaded || opening !== null) return;
     this.record();
-    if (sameContours(options, load)) return this.readAgain(options);
-    if (RULES.some((rule) => options[rule]?.length) || options.together?.length || options.contours?.length) this.store.notify(words.page.pinsGone);
+    // While contours get other numbers, a choice is still about those that are shown.
+    if (sameContours(options, load) && sameContours(load, this.readWith)) return this.readAgain(options);
+    if (namesContours(options)) this.store.notify(words.page.pinsGone);
     return this.readAgain(withoutRules(options));
   }
 

@@ -32,6 +32,11 @@ export function withoutRules({ first: _first, last: _last, mark: _mark, exclude:
   return others;
 }
 
+/** Whether there is a rule for a single contour. */
+export function namesContours({ sequences, together, joints, contours, ...others }: LoadOptions): boolean {
+  return [sequences, together, joints, contours, ...RULES.map((rule) => others[rule])].some((list) => list !== undefined && list.length > 0);
+}
+
 /** Whether a list of pinned contours is cut in its order. */
 export function isOrdered({ sequences = [], ...load }: LoadOptions, pin: Pin): boolean {
   const list = load[pin] ?? [];

@@ -182,7 +182,8 @@ export class Session {
 
   private choices(): Choices {
     const { load, machine, search, placing, material } = this.state;
-    return { load, machine, search, placing, material, plan: keptPlan(this.state) };
+    // A plan is of the drawing as it is shown.
+    return { load, machine, search, placing, material, plan: this.drawing.isRead ? keptPlan(this.state) : null };
   }
 
   private record(typed = false): void {
