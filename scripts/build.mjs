@@ -89,7 +89,8 @@ function lanes(quick, isStale, make) {
 async function compile(name, quick, folder) {
   mkdirSync(COMPILED, { recursive: true });
   const profile = quick ? 'quick' : 'release';
-  // Nothing but wasm: compiled as a Rust library as well, which `Cargo.toml` has for the tests, it takes nearly twice as long, and the core is 10 kB gzip larger.
+  // Nothing but wasm: compiled as a Rust library as well, which `Cargo.toml` has for the tests, it takes nearly twice as long, and the core is 9 kB
+  // larger by gzip.
   const args = ['rustc', '--locked', '--lib', '--crate-type', 'cdylib', '--target', TARGET, '--profile', profile, '--no-default-features', '--features', featureOf(name, quick)];
   const flags = quick ? '' : LEAN;
   await quietly('cargo', [...args, '--target-dir', folder], { env: { ...ENV, CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS: flags } });
