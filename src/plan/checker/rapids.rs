@@ -3,6 +3,7 @@
 //! On a machine that moves each axis as fast as it can (`travel: per-axis`), the head leaves the straight line. Its places follow
 //! from the ramps of both axes.
 
+use super::sums::trapezoid;
 use crate::geometry::DVec2;
 use crate::machine::{Profile, Travel};
 
@@ -47,8 +48,7 @@ impl Axis {
     fn new(length: f64, most: f64, accel: f64) -> Self {
         let speed = most.min((accel * length).sqrt());
         let ramp = if accel.is_finite() { speed / accel } else { 0.0 };
-        let seconds = if length > 0.0 { length / speed + ramp } else { 0.0 };
-        Self { length, speed, ramp, accel, seconds }
+        Self { length, speed, ramp, accel, seconds: trapezoid(length, most, accel) }
     }
 
     /// How far it has gone after `t` seconds, mm.

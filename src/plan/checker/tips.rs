@@ -114,13 +114,13 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             continue;
         }
         let line = Segment::line(from, *to);
-        let places = rapids::places(machine, from, *to);
+        let near = index.query(line.bounds());
+        let free = || near.iter().filter_map(|&k| pieces.get(k)).filter(|p| p.free_from < step);
+        let places = free().next().and_then(|_| rapids::places(machine, from, *to));
         let crosses = |p: &Piece, reach: f64, depth: f64, nearer: f64| match &places {
             Some(places) => passes(places, &p.outline, reach, depth, nearer),
             None => crosses(&line, &p.outline, reach, depth, nearer),
         };
-        let near = index.query(line.bounds());
-        let free = || near.iter().filter_map(|&k| pieces.get(k)).filter(|p| p.free_from < step);
         let middle = (from + *to) * 0.5;
         let crossed = free().find(|p| p.surely && crosses(p, reach, DEPTH, -NEARER));
         // Where each axis moves by itself, a piece beside the way may be said to be crossed, as ramps are not known exactly.
