@@ -2,8 +2,9 @@
 
 use super::super::cluster::cluster;
 use super::super::model::Contour;
+use super::stretches::Stretches;
 use super::vertices::with_vertices;
-use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Union};
+use crate::geometry::{DVec2, Path, Union};
 use crate::order::{real, sort_by};
 
 /// A place on a contour where its group has a node.
@@ -27,14 +28,17 @@ pub(super) struct Set {
 
 /// Connected sets of those contours that are `sound`.
 pub(super) fn sets(contours: &[Contour], sound: &[bool], tolerance: f64) -> Vec<Set> {
-    let boxes = BoxIndex::new(contours.iter().map(|c| c.bounds));
+    let open = |c: &(u32, &Contour)| sound[c.0 as usize] && !c.1.path.closed;
+    if !(0..).zip(contours).any(|c| open(&c)) {
+        return Vec::new();
+    }
+    let stretches = Stretches::new(contours, sound);
     let mut together = Union::new(contours.len());
     let mut breaks: Vec<Break> = Vec::new();
     let mut met: Vec<u32> = Vec::new();
-    let open = |c: &(u32, &Contour)| sound[c.0 as usize] && !c.1.path.closed;
     for (id, contour) in (0..).zip(contours).filter(open) {
         let ends = [contour.path.start(), contour.path.end()].map(Option::unwrap_or_default);
-        let touched = ends.map(|end| touching(contours, sound, &boxes, id, end, tolerance));
+        let touched = ends.map(|end| touching(contours, &stretches, id, end, tolerance));
         if touched.iter().any(Vec::is_empty) {
             continue;
         }
@@ -61,25 +65,15 @@ pub(super) fn sets(contours: &[Contour], sound: &[bool], tolerance: f64) -> Vec<
 }
 
 /// The places of other contours at a point.
-fn touching(
-    contours: &[Contour],
-    sound: &[bool],
-    boxes: &BoxIndex,
-    own: u32,
-    at: DVec2,
-    tolerance: f64,
-) -> Vec<Break> {
-    let mut found = Vec::new();
-    for c in boxes.query(Aabb::EMPTY.with(at).grown(tolerance)) {
-        let (Ok(id), contour) = (u32::try_from(c), &contours[c]) else { continue };
-        if id == own || !sound[c] {
-            continue;
-        }
-        if let Some((along, place)) = contour.path.nearest(at).filter(|n| n.1.distance(at) <= tolerance) {
-            found.push(Break { contour: id, along, at: place });
-        }
-    }
-    found
+fn touching(contours: &[Contour], stretches: &Stretches, own: u32, at: DVec2, tolerance: f64) -> Vec<Break> {
+    // Twice the tolerance, as the ends of stretches are rounded.
+    let others = stretches.around(at, 2.0 * tolerance).into_iter().filter(|c| *c != own);
+    others
+        .filter_map(|contour| {
+            let (along, place) = contours[contour as usize].path.nearest(at)?;
+            (place.distance(at) <= tolerance).then_some(Break { contour, along, at: place })
+        })
+        .collect()
 }
 
 /// A set with its nodes. Breaks within the tolerance of each other are one node, and those of one contour are one

@@ -12,6 +12,7 @@
 mod contacts;
 mod faces;
 mod group;
+mod stretches;
 mod vertices;
 
 pub use group::{GroupElement, PierceGroup};
