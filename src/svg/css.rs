@@ -3,9 +3,11 @@
 //! Selectors of type, class and id, their combinations, and ancestors (`g .cut`, `g > path`) are understood, which is what
 //! drawing programs write. Other rules are counted, so that a finding can report them.
 
+use super::steps::Steps;
 use super::xml::Document;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 /// Largest number of rules that are read. Illustrator writes one for each style, some hundreds at most.
 const MOST_RULES: usize = 20_000;
@@ -98,8 +100,10 @@ impl<'s> Compound<'s> {
         Some(compound)
     }
 
-    fn matches(&self, document: &Document<'_>, element: u32) -> bool {
-        let classes = || document.attribute(element, "class").unwrap_or_default().split_ascii_whitespace();
+    fn matches(&self, document: &Document<'_>, element: u32, steps: &mut Steps) -> bool {
+        let class = document.attribute(element, "class").unwrap_or_default();
+        let classes = || class.split_ascii_whitespace();
+        steps.take(1 + class.len() * self.classes.len());
         self.tag.is_none_or(|t| document.name(element) == t)
             && self.id.is_none_or(|id| document.attribute(element, "id") == Some(id))
             && self.classes.iter().all(|c| classes().any(|own| own == *c))
@@ -121,9 +125,9 @@ struct Rule<'s> {
 }
 
 impl Rule<'_> {
-    fn matches(&self, document: &Document<'_>, element: u32) -> bool {
+    fn matches(&self, document: &Document<'_>, element: u32, steps: &mut Steps) -> bool {
         let Some((last, ancestors)) = self.compounds.split_last() else { return false };
-        if !last.matches(document, element) {
+        if steps.are_used_up() || !last.matches(document, element, steps) {
             return false;
         }
         let parent = |e: u32| document.get(e).and_then(|e| e.parent);
@@ -132,7 +136,7 @@ impl Rule<'_> {
             loop {
                 let Some(here) = at else { return false };
                 at = parent(here);
-                if wanted.matches(document, here) {
+                if wanted.matches(document, here, steps) {
                     break;
                 }
                 if wanted.is_parent {
@@ -214,20 +218,32 @@ impl<'s> StyleSheet<'s> {
         self.rules.push(Rule { compounds, specificity, declarations });
     }
 
-    /// The declarations for an element, from the weakest rule to the strongest.
-    pub(super) fn matching(&self, document: &Document<'_>, element: u32) -> Vec<Declaration<'s>> {
+    /// The declarations for an element, from the weakest rule to the strongest. Some are missing, or
+    /// all, when there are no steps left.
+    pub(super) fn matching(
+        &self,
+        document: &Document<'_>,
+        element: u32,
+        steps: &mut Steps,
+    ) -> Vec<Declaration<'s>> {
         if self.rules.is_empty() {
             return Vec::new();
         }
         let attribute = |name: &str| document.attribute(element, name).unwrap_or_default();
         let keys =
             attribute("class").split_ascii_whitespace().chain([attribute("id"), document.name(element), ""]);
+        let keys: BTreeSet<&str> = keys.collect();
         let mut found: Vec<usize> = Vec::new();
-        for rules in keys.filter_map(|k| self.by_key.get(k)) {
-            found.extend(rules.iter().filter(|&&r| self.rules[r].matches(document, element)));
+        for rules in keys.into_iter().filter_map(|k| self.by_key.get(k)) {
+            found.extend(rules.iter().filter(|&&r| self.rules[r].matches(document, element, steps)));
         }
         found.sort_unstable_by_key(|&r| (self.rules[r].specificity, r));
         found.dedup();
+        steps.take(found.iter().map(|&r| self.rules[r].declarations.len()).sum());
+        // One long text may belong to thousands of selectors.
+        if steps.are_used_up() {
+            return Vec::new();
+        }
         found.into_iter().flat_map(|r| declarations(self.rules[r].declarations)).collect()
     }
 }
@@ -262,7 +278,11 @@ mod tests {
         let document = xml::read(&text, &ReadOptions::default().limits).unwrap();
         let sheet = StyleSheet::read(css);
         let element = document.by_id(id).unwrap();
-        sheet.matching(&document, element).iter().map(|d| format!("{}={}", d.name, d.value)).collect()
+        sheet
+            .matching(&document, element, &mut Steps::new(text.len()))
+            .iter()
+            .map(|d| format!("{}={}", d.name, d.value))
+            .collect()
     }
 
     #[test]

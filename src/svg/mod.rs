@@ -29,6 +29,7 @@ mod report;
 mod scale;
 mod shape;
 mod sniff;
+mod steps;
 mod style;
 mod text;
 mod trace;

@@ -7,6 +7,7 @@ use super::color::{self, Rgb};
 use super::css::{Declaration, StyleSheet, declarations, without_comments};
 use super::length::{Axis, Lengths};
 use super::numbers::Scanner;
+use super::steps::Steps;
 use super::xml::{Document, Space};
 
 /// What a line or an area is painted with.
@@ -74,19 +75,20 @@ pub(super) struct Own {
     pub(super) marked: bool,
 }
 
-/// The style of an element inside one with the style `inherited`.
+/// The style of an element inside one with the style `inherited`. `steps`: as for [`StyleSheet::matching`].
 pub(super) fn resolve(
     document: &Document<'_>,
     sheet: &StyleSheet<'_>,
     element: u32,
     inherited: &Style,
     lengths: &Lengths,
+    steps: &mut Steps,
 ) -> (Style, Own) {
     let mut cascade = Cascade { document, inherited, lengths, style: *inherited, own: Own::default() };
     for a in document.attributes(element).iter().filter(|a| a.space == Space::None) {
         cascade.apply(a.name, a.value.trim());
     }
-    let rules = sheet.matching(document, element);
+    let rules = sheet.matching(document, element, steps);
     let inline = without_comments(document.attribute(element, "style").unwrap_or_default());
     let inline: Vec<Declaration<'_>> = declarations(&inline).collect();
     for important in [false, true] {

@@ -233,6 +233,46 @@ fn bombs_are_refused_in_one_sentence() {
     assert!(matches!(error, ReadError::Limit(_)), "{error}");
 }
 
+/// All would take minutes: quadratic in the size of the file, or a long text read again for each copy.
+#[test]
+fn hostile_copies_and_rules_that_take_too_long_are_refused() {
+    let many = |text: &str| text.repeat(2_000);
+    let chain: String = (0..6_000).map(|k| format!("<use id='u{k}' href='#u{}'/>", k + 1)).collect();
+    let (deep, end) = ("<g>".repeat(200), "</g>".repeat(200));
+    let style = |rule: &str| format!("<style>{}</style>", many(rule));
+    let limits = Limits { bytes: 1 << 18, ..ReadOptions::default().limits };
+    for (what, body) in [
+        ("a chain of copies", chain),
+        (
+            "rules for ancestors",
+            format!("{}{deep}{}{end}", style(".b .a{fill:red}"), many("<path class='a'/>")),
+        ),
+        ("rules for classes", format!("{}<path class='{}'/>", style(".a.b.d{fill:red}"), many("a b c "))),
+        (
+            "one text of many selectors",
+            format!("<style>{} {{{}}}</style><path/>", vec!["path"; 2_000].join(","), many("fill:red;")),
+        ),
+        (
+            "copies of a long style",
+            format!("<g id='a' style='{}'/>{}", many("fill:red;"), many("<use href='#a'/>")),
+        ),
+        (
+            "copies of a long choice",
+            format!(
+                "<switch id='a'>{}</switch>{}",
+                many("<g systemLanguage='xx'/>"),
+                many("<use href='#a'/>")
+            ),
+        ),
+    ] {
+        let text =
+            format!("<svg xmlns='http://www.w3.org/2000/svg'>{body}<rect width='9' height='9'/></svg>");
+        let error =
+            svg::read(text.as_bytes(), &ReadOptions { limits, ..ReadOptions::default() }).unwrap_err();
+        assert!(error.to_string().contains("take too long to work out"), "{what}: {error}");
+    }
+}
+
 #[test]
 fn what_cannot_be_read_is_said_in_one_sentence() {
     for (text, words) in [

@@ -1,7 +1,8 @@
 //! Walks through the drawing: groups, nested pages and copies, down to shapes with their place and style.
 //!
 //! The walk keeps a stack of its own, so that nesting takes no stack of the machine. Every element that is visited counts
-//! against a limit, which copies of copies soon reach: such a file is refused.
+//! against a limit, which copies of copies soon reach: such a file is refused. So are long chains of copies and rules that
+//! are compared with all ancestors of all elements, which take time and make nothing.
 
 mod roles;
 mod shapes;
@@ -11,6 +12,7 @@ use super::layers::Key;
 use super::length::{Axis, Lengths};
 use super::report::{Hidden, Report, Subject};
 use super::scale::Scale;
+use super::steps::Steps;
 use super::style::{self, Own, Style};
 use super::viewport;
 use super::xml::{Document, Space};
@@ -33,7 +35,7 @@ pub(super) struct Walked {
 /// Walks through all that is drawn.
 ///
 /// # Errors
-/// The drawing has more elements than the limits allow, with all copies, or lies too far from its origin.
+/// The drawing has more elements than the limits allow, with all copies, takes too long, or lies too far from its origin.
 pub(super) fn walk(
     document: &Document<'_>,
     scale: &Scale,
@@ -49,6 +51,7 @@ pub(super) fn walk(
         open: Vec::new(),
         copies: Vec::new(),
         visited: 0,
+        steps: Steps::new(options.limits.bytes),
         elements: 0,
         far: 0,
         kinds: BTreeMap::new(),
@@ -112,6 +115,7 @@ struct Walker<'w, 'a> {
     open: Vec<Frame>,
     copies: Vec<Copy>,
     visited: usize,
+    steps: Steps,
     elements: usize,
     far: usize,
     kinds: BTreeMap<&'a str, (u32, bool)>,
@@ -147,7 +151,9 @@ impl<'w, 'a> Walker<'w, 'a> {
     /// The place inside an element, with its style and transform.
     fn enter(&mut self, element: u32, place: &Place) -> (Place, Own) {
         let lengths = self.lengths(place);
-        let (style, own) = style::resolve(self.document, self.sheet, element, &place.style, &lengths);
+        self.steps.take(self.document.attributes(element).iter().map(|a| a.value.len()).sum());
+        let (style, own) =
+            style::resolve(self.document, self.sheet, element, &place.style, &lengths, &mut self.steps);
         let mut map = place.map;
         if let Some(text) = &own.transform {
             match transform::read(text) {
@@ -215,7 +221,8 @@ impl<'w, 'a> Walker<'w, 'a> {
                 self.open_children(element, inside);
             }
             "switch" => {
-                let chosen = self.document.children(element).find(|c| roles::is_chosen(self.document, *c));
+                let mut children = self.document.children(element).inspect(|_| self.steps.take(1));
+                let chosen = children.find(|c| roles::is_chosen(self.document, *c));
                 if let Some(child) = chosen {
                     let end = self.document.get(child).map_or(0, |e| e.end);
                     self.open.push(Frame { next: child, end, place: inside, instance: None });
@@ -258,6 +265,7 @@ impl<'w, 'a> Walker<'w, 'a> {
         };
         let mut around = place.copy;
         while let Some(copy) = around.and_then(|c| self.copies.get(c as usize)) {
+            self.steps.take(1);
             if copy.target == target {
                 self.walked.report.count(Subject::Cyclic(short()), None, id, at);
                 return;
@@ -266,6 +274,7 @@ impl<'w, 'a> Walker<'w, 'a> {
         }
         let mut above = Some(element);
         while let Some(e) = above {
+            self.steps.take(1);
             if e == target {
                 self.walked.report.count(Subject::Cyclic(short()), None, id, at);
                 return;
@@ -295,6 +304,12 @@ impl<'w, 'a> Walker<'w, 'a> {
 
     fn check(&self) -> Result<(), ReadError> {
         let limit = self.options.limits.elements;
+        if self.steps.are_used_up() {
+            return Err(ReadError::Limit(
+                "The copies (use) and style rules of the drawing take too long to work out. Turn copies into objects of their own, and save it as plain SVG."
+                    .to_owned(),
+            ));
+        }
         if self.elements.max(self.visited) <= limit {
             return Ok(());
         }
