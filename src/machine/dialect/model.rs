@@ -95,7 +95,7 @@ pub struct Decimals {
 #[serde(deny_unknown_fields)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Dwell {
-    /// The word after G4 that holds the time: `P`, `S` or `X`.
+    /// The word after G4 that holds the time: `P`, `S`, `X` or `F`.
     pub word: String,
     /// Its unit.
     pub unit: DwellUnit,

@@ -6,8 +6,8 @@
 //! controllers differ on arcs that end where they start. I and J are computed from the rounded ends: the centre is moved
 //! onto the perpendicular bisector of the rounded chord, so both radii agree up to the rounding of I and J themselves. An
 //! arc that coincides with its chord after rounding is written as a line, and an element that rounds to one point is
-//! skipped. An arc that a controller might refuse or distort because of its 32-bit numbers is written as chords
-//! (`grbl_arc.rs`), as is every arc in a dialect without arcs.
+//! skipped. An arc that a controller might refuse or distort, because of its 32-bit numbers or because I and J have few
+//! decimals, is written as chords (`grbl_arc.rs`), as is every arc in a dialect without arcs.
 //!
 //! Every motion, as written, lies within 0.002 mm of its element, or within the dialect's tolerance of chords.
 
@@ -308,13 +308,14 @@ impl<'d> Pen<'d> {
         }
         let middle = (self.at + to) * 0.5;
         let across = (to - self.at).perp().normalize_or_zero();
-        let offset = middle + across * (arc.center / unit - middle).dot(across) - self.at;
+        let decimals = self.dialect.decimals.ij;
+        let exact = middle + across * (arc.center / unit - middle).dot(across) - self.at;
+        let offset = (exact * power_of_ten(decimals)).round() / power_of_ten(decimals);
         if !grbl_arc::is_safe(self.at * unit, to * unit, offset * unit) {
             return self.chords(arc, CHORD_DEVIATION);
         }
         let word = if arc.ccw() { "G3" } else { "G2" };
-        let decimals = self.dialect.decimals.ij as usize;
-        let (i, j) = (fixed(offset.x, decimals), fixed(offset.y, decimals));
+        let [i, j] = [offset.x, offset.y].map(|v| fixed(v, decimals as usize));
         self.motion(format!("{word}{} I{i} J{j}", self.xy_words(to)), to);
     }
 

@@ -37,8 +37,12 @@ fn checks(sheet: &Sheet, plan: &Plan, profile: &Profile) -> [Check; 2] {
 
 /// Five circles with radii of 0.4 to 3 mm.
 fn circles(profile: &Profile) -> (Sheet, Plan) {
+    circles_of([0.4, 0.7, 1.0, 2.0, 3.0], profile)
+}
+
+fn circles_of(radii: [f64; 5], profile: &Profile) -> (Sheet, Plan) {
     let stop = |k: u32| {
-        let (r, at) = ([0.4, 0.7, 1.0, 2.0, 3.0][k as usize], glam::DVec2::new(20.0 * f64::from(k), 50.0));
+        let (r, at) = (radii[k as usize], glam::DVec2::new(20.0 * f64::from(k), 50.0));
         let path = Path::new(vec![Segment::Arc(Arc::circle(at, r))], true);
         plans::Stop { layer: 0, operation: Operation::Cut, path }
     };
@@ -73,6 +77,26 @@ fn a_length_that_chords_do_not_explain_is_refused() {
             "{:?}",
             check.problems
         );
+    }
+}
+
+/// A controller refuses an arc whose radii differ by more than 0.005 mm and by more than 0.1 %.
+#[test]
+fn arcs_that_few_decimals_of_their_centre_distort_are_chords() {
+    let radii = [0.4137, 0.7132, 1.0464, 2.0336, 30.0041];
+    for ij in [2, 3] {
+        for profile in own(|d| d.decimals.ij = ij) {
+            let (sheet, plan) = circles_of(radii, &profile);
+            for check in checks(&sheet, &plan, &profile) {
+                assert!(check.passed, "{ij} in {}: {:?}", check.dialect, check.problems);
+                assert_eq!(check.contours, 5, "{ij} in {}", check.dialect);
+            }
+            let facts = output::SheetFacts::of(&sheet);
+            let text = output::gcode(&plan, &facts, &profile, "a.dxf", Start::Absolute).unwrap();
+            let arcs = text.lines().filter(|line| line.starts_with("G2 ") || line.starts_with("G3 ")).count();
+            // With three decimals all are arcs of half a turn; with two only the large circle.
+            assert_eq!(arcs, if ij == 3 { 10 } else { 2 }, "{ij} in {}", profile.dialect.name());
+        }
     }
 }
 

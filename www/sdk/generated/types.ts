@@ -523,7 +523,7 @@ export type DwellUnit = "s" | "ms";
 
 /** How a program waits. */
 export interface Dwell {
-  /** The word after G4 that holds the time: `P`, `S` or `X`. */
+  /** The word after G4 that holds the time: `P`, `S`, `X` or `F`. */
   word: string,
   /** Its unit. */
   unit: DwellUnit,
