@@ -135,8 +135,8 @@ impl Units {
         let unit = if dpi.is_some() { Unit::Px } else { unit? };
         let dpi = (unit == Unit::Px).then_some(dpi.unwrap_or(CSS_DPI));
         let reason = match dpi {
-            Some(dpi) => format!("Pixels, {dpi} to the inch, were chosen."),
-            None => format!("{} were chosen.", unit.plural()),
+            Some(dpi) => format!("Chosen: pixels, {dpi} to the inch."),
+            None => format!("Chosen: {}.", unit.plural()),
         };
         let scale = dpi.map_or(unit.millimetres(), |dpi| 25.4 / dpi);
         Some(Self { unit, dpi, scale, source: UnitsSource::Given, reason, doubtful: false, confidence: 1.0 })

@@ -4,8 +4,8 @@ import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { it } from 'node:test';
-import { buildSync, transformSync } from 'esbuild';
-import { ENGLISH_REPORT } from 'kerfway';
+import { buildSync } from 'esbuild';
+import { createPlanner, ENGLISH_REPORT } from 'kerfway';
 import { ROOT } from './support.mjs';
 
 const APP = join(ROOT, 'www', 'app');
@@ -49,9 +49,11 @@ it('every entry of the word files is used', () => {
 const WORDS = join(APP, 'core', 'words');
 const OTHERS = readdirSync(WORDS).map((file) => file.replace('.ts', '')).filter((name) => !['en', 'index', 'sentences'].includes(name));
 
-async function moduleOf(name) {
-  const { code } = transformSync(readFileSync(join(WORDS, `${name}.ts`), 'utf8'), { loader: 'ts', format: 'esm' });
-  return import(`data:text/javascript;base64,${Buffer.from(code).toString('base64')}`);
+const moduleOf = (name) => bundled(join(WORDS, `${name}.ts`));
+
+async function bundled(file) {
+  const { outputFiles: [bundle] } = buildSync({ entryPoints: [file], bundle: true, format: 'esm', write: false });
+  return import(`data:text/javascript;base64,${Buffer.from(bundle.text).toString('base64')}`);
 }
 
 const wordsOf = async (language) => (await moduleOf(language))[language];
@@ -116,8 +118,10 @@ function planner() {
   const folder = join(ROOT, 'src');
   const files = readdirSync(folder, { recursive: true }).filter((file) => file.endsWith('.rs'));
   const joined = files.map((file) => readFileSync(join(folder, file), 'utf8')).join('\n').replace(/\\\n\s*/g, '');
-  return joined.replace(/\{[^{}\n]*\}/g, '{}');
+  return joined.replace(/\{[^{}"\n]*\}/g, '{}');
 }
+
+const VALUE = /\{(?:unit)?\}/g;
 
 it('the patterns of sentences are what the planner says, and every language has each of them with its values', async () => {
   const { SENTENCES, translated } = await moduleOf('sentences');
@@ -125,34 +129,81 @@ it('the patterns of sentences are what the planner says, and every language has 
   for (const [key, pattern] of Object.entries(SENTENCES)) {
     // What is counted, "1 place" and "3 places", is put in as one value.
     const uncounted = pattern.replace(/\b1 (shape is|shape|contour|place|part(?= lies))\b|\{\} (shapes are|shapes|parts(?= lie)|contours(?= left)|places|gaps)\b/g, '{}');
-    for (const piece of uncounted.split('{}').map((text) => text.trim()).filter((text) => text.length > 8)) assert.ok(source.includes(piece.replace(/\.$/, '')), `${key}: ${piece}`);
+    for (const piece of uncounted.split(VALUE).map((text) => text.trim()).filter((text) => text.length > 8)) assert.ok(source.includes(piece.replace(/\.$/, '')), `${key}: ${piece}`);
   }
   for (const language of OTHERS) {
-    const { sentences } = await wordsOf(language);
-    assert.deepEqual(Object.keys(sentences), Object.keys(SENTENCES), language);
+    const own = await wordsOf(language);
+    assert.deepEqual(Object.keys(own.sentences), Object.keys(SENTENCES), language);
     for (const [key, pattern] of Object.entries(SENTENCES)) {
       let n = 0;
-      const values = pattern.replace(/\{\}/g, () => `<${(n += 1)}>`);
-      const own = translated(sentences, values, language);
-      assert.ok(own !== null && own !== values, `${language} ${key}`);
-      assert.deepEqual(marks(own), marks(values), `${language} ${key}: ${own}`);
+      const values = pattern.replace(VALUE, () => `<${(n += 1)}>`);
+      const said = translated(own, values);
+      assert.ok(said !== null && said !== values, `${language} ${key}`);
+      assert.deepEqual(marks(said), marks(values), `${language} ${key}: ${said}`);
     }
     // A value that is a phrase itself is translated, too.
-    const nested = translated(sentences, 'The border around everything is taken for the sheet and ignored: it is alone on layer SHEET. Keep it if it is a cut.', language);
-    assert.ok(nested.includes(sentences.aloneOnLayer.replace('{0}', 'SHEET')), nested);
+    const nested = translated(own, 'The border around everything is taken for the sheet and ignored: it is alone on layer SHEET. Keep it if it is a cut.');
+    assert.ok(nested.includes(own.sentences.aloneOnLayer.replace('{0}', 'SHEET')), nested);
     // Reasons that the planner joins are translated one by one, and joined as the language joins them.
     const reasons = ['it is alone on layer SHEET', '3 parts lie inside it', 'sheets of 1000 x 500 mm are sold'];
-    const joined = translated(sentences, `The rectangle around everything may be the sheet and not a cut: ${reasons.join(', and ')}. It is currently cut: keep it, or ignore it.`, language);
-    for (const [key, values] of [['aloneOnLayer', ['SHEET']], ['partsInside', ['3']], ['sold', ['1000', '500']]]) assert.ok(joined.includes(sentences[key].replace(/\{(\d)\}/g, (_all, k) => values[k])), joined);
+    const joined = translated(own, `The rectangle around everything may be the sheet and not a cut: ${reasons.join(', and ')}. It is currently cut: keep it, or ignore it.`);
+    for (const [key, values] of [['aloneOnLayer', ['SHEET']], ['partsInside', ['3']], ['sold', ['1000', '500']]]) assert.ok(joined.includes(own.sentences[key].replace(/\{(\d)\}/g, (_all, k) => values[k])), joined);
     assert.doesNotMatch(joined, /, and |inside/);
-    assert.equal(translated(sentences, 'Something else.', language), null);
+    assert.equal(translated(own, 'Something else.'), null);
+  }
+});
+
+/** A square with a hole; `header`: groups of the header. */
+function plate(size, hole, layer, ...header) {
+  const line = (x0, y0, x1, y1) => [[0, 'LINE'], [8, layer], [10, x0], [20, y0], [11, x1], [21, y1]];
+  const sides = [line(0, 0, size, 0), line(size, 0, size, size), line(size, size, 0, size), line(0, size, 0, 0)].flat();
+  const circle = [[0, 'CIRCLE'], [8, layer], [10, size / 2], [20, size / 2], [40, hole / 2]];
+  const groups = [[0, 'SECTION'], [2, 'HEADER'], ...header, [0, 'ENDSEC'], [0, 'SECTION'], [2, 'ENTITIES'], ...sides, ...circle, [0, 'ENDSEC'], [0, 'EOF']];
+  return new TextEncoder().encode(groups.map(([code, value]) => `${code}\n${value}\n`).join(''));
+}
+
+it('why a drawing has its unit is said in every language, with the units of the language', async (t) => {
+  const { translated } = await moduleOf('sentences');
+  const planner = await createPlanner();
+  t.after(() => planner.close());
+  const inUnit = (code) => [[9, '$INSUNITS'], [70, code]];
+  const svg = (attributes, before = '') => new TextEncoder().encode(`${before}<svg xmlns="http://www.w3.org/2000/svg" ${attributes}><rect x="1" y="1" width="80" height="80"/></svg>`);
+  const drawings = [
+    ['guessed millimetres', plate(300, 6.5, 'PARTS'), {}, ['millimetres']],
+    ['guessed inches, a layer with a name like a unit', plate(12.5, 0.257, 'inches'), {}, ['inches']],
+    ['in doubt', plate(100, 30, 'PARTS'), {}, ['millimetres', 'inches']],
+    ['a code without a use', plate(300, 6.5, 'PARTS', ...inUnit(3)), {}, ['millimetres']],
+    ['of the file', plate(300, 6.5, 'PARTS', ...inUnit(4)), {}, ['millimetres']],
+    ['of the file, much too large', plate(2000, 30, 'PARTS', ...inUnit(1)), {}, ['inches', 'millimetres']],
+    ['of the file, and nothing fits', plate(3e7, 30, 'PARTS', ...inUnit(4)), {}, ['millimetres']],
+    ['of the file, but likely another', plate(12.5, 0.257, 'SHEET 12x12 in', ...inUnit(5)), {}, ['centimetres']],
+    ['chosen', plate(300, 6.5, 'PARTS'), { units: 'in' }, ['inches']],
+    ['pixels chosen', svg('width="90" height="90"'), { dpi: 72 }, []],
+    ['pixels', svg('width="90" height="90"'), {}, []],
+    ['pixels of a program', svg('width="90" height="90"', '<!-- Generator: Adobe Illustrator 24 -->'), {}, []],
+    ['a page without a viewBox', svg('width="90mm" height="90mm"'), {}, []],
+    ['a page in a unit', svg('width="90mm" height="90mm" viewBox="0 0 90 90"'), {}, []],
+  ];
+  const NAMES = { millimetres: 'mm', inches: 'in', centimetres: 'cm' };
+  for (const [what, file, options, units] of drawings) {
+    const { units: { reason }, findings } = await planner.load(file, 'plate', options);
+    for (const unit of units) assert.ok(reason.includes(unit), `${what}: ${reason}`);
+    const said = [reason, ...findings.filter((f) => f.code.startsWith('units-')).map((f) => f.message)];
+    for (const language of OTHERS) {
+      const own = await wordsOf(language);
+      for (const sentence of said) {
+        const text = translated(own, sentence);
+        assert.ok(text !== null, `${language}, ${what}: ${sentence}`);
+        assert.doesNotMatch(text, /\b(the|is|are|in the|because|taken|its?|of|to|millimetres|check)\b/i, `${language}, ${what}: ${text}`);
+        for (const unit of units) assert.ok(text.includes(own.unitNames[NAMES[unit]]), `${language}, ${what}: ${text}`);
+      }
+    }
   }
 });
 
 it('in inches, every length of a sentence is in inches, in every language', async () => {
-  const { outputFiles: [bundle] } = buildSync({ entryPoints: [join(APP, 'core', 'lengths.ts')], bundle: true, format: 'esm', write: false });
   globalThis.localStorage = { getItem: () => 'in' };
-  const { inChosenUnit } = await import(`data:text/javascript;base64,${Buffer.from(bundle.text).toString('base64')}`);
+  const { inChosenUnit } = await bundled(join(APP, 'core', 'lengths.ts'));
   delete globalThis.localStorage;
   const { translated } = await moduleOf('sentences');
   const offBed = 'The job reaches from x -12.7 to 90 and y 0 to 40 mm, beyond the bed (x 0 to 400, y 0 to 300 mm). Place it on the bed, for example with its lower left corner at that of the bed.';
@@ -161,7 +212,7 @@ it('in inches, every length of a sentence is in inches, in every language', asyn
   assert.equal(inChosenUnit('The job of 254 x 127 mm is larger than the bed of 1,270 x 25.4 mm.'), 'The job of 10 x 5 in is larger than the bed of 50 x 1 in.');
   assert.equal(inChosenUnit('Contour 12 has a lead-in of 2.54 mm, 5 cuts and 3 mm² at 10 mm/s.'), 'Contour 12 has a lead-in of 0.1 in, 5 cuts and 3 mm² at 10 mm/s.');
   for (const language of OTHERS) {
-    const own = inChosenUnit(translated((await wordsOf(language)).sentences, offBed, language));
+    const own = inChosenUnit(translated(await wordsOf(language), offBed));
     assert.deepEqual(own.match(/-?\d+(\.\d+)?/g), ['-0.5', '3.54', '0', '1.57', '0', '15.7', '0', '11.8'], `${language}: ${own}`);
   }
 });

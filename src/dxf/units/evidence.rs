@@ -53,13 +53,13 @@ impl Weighed {
         1.0 / (1.0 + math::exp(-sum))
     }
 
-    /// The strongest reasons for one of the two units, joined by "and"; empty if there is none.
+    /// The strongest reasons for one of the two units, joined by ", and"; empty if there is none.
     pub(super) fn reasons(&self, for_inches: bool) -> String {
         let mut reasons: Vec<&Evidence> =
             self.list.iter().filter(|e| (e.weight > 0.0) == for_inches).collect();
         crate::order::sort_by(&mut reasons, |e| [crate::order::real(-e.weight.abs()), 0, 0]);
         let words: Vec<&str> = reasons.iter().take(2).map(|e| e.reason.as_str()).collect();
-        words.join(" and ")
+        words.join(", and ")
     }
 
     fn add(&mut self, weight: f64, reason: impl Into<String>) {

@@ -3,7 +3,7 @@
 import { count, POINT } from './format.js';
 import { inChosenUnit, lengthsIn } from './lengths.js';
 import { language, translated, words } from './words/index.js';
-import { type DoneReason, type Finding, isKerfwayError, type KerfwayError, type MachineProfile, type Operation, type Unit } from 'kerfway';
+import { type DoneReason, type Finding, isKerfwayError, type KerfwayError, type MachineProfile, type Operation, type Unit, type UnitsTaken } from 'kerfway';
 
 /** Millimetres in a unit. */
 export const UNIT_SIZES: Record<Unit, number> = {
@@ -41,10 +41,18 @@ function ofCode({ code, message, params }: KerfwayError): string {
 
 /** What a finding says. `detail`: the planner's sentence, in English, where the page is in another language that has no sentence of its own for it. */
 export function sentenceOf({ code, message, count: n }: Finding): { text: string; detail: string | null } {
-  const own = inChosenUnit(message);
-  if (language === 'en') return { text: own, detail: null };
+  const sentence = inOwnWords(message);
+  return sentence === null ? { text: words.findingTitles[code](n, count(n)), detail: inChosenUnit(message) } : { text: sentence, detail: null };
+}
+
+/** Why the planner takes the drawing's unit. */
+export const reasonOf = ({ reason }: UnitsTaken): string => inOwnWords(reason) ?? inChosenUnit(reason);
+
+/** A sentence of the planner about a drawing in the language of the page; null where that has none. */
+function inOwnWords(message: string): string | null {
+  if (language === 'en') return inChosenUnit(message);
   const sentence = translated(message);
-  return sentence === null ? { text: words.findingTitles[code](n, count(n)), detail: own } : { text: inChosenUnit(sentence).replace(lengthsIn('(?:mm|in|m)'), (lengths) => lengths.replaceAll('.', POINT)), detail: null };
+  return sentence === null ? null : inChosenUnit(sentence).replace(lengthsIn('(?:mm|in|m)'), (lengths) => lengths.replaceAll('.', POINT));
 }
 
 /** The name of a download: file, machine and date, as in "plate-co2-100w-2026-03-01.nc". */

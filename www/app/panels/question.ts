@@ -5,7 +5,7 @@
 
 import { button, h } from '../core/dom.js';
 import { count, extent } from '../core/format.js';
-import { sentenceOf, UNIT_SIZES } from '../core/strings.js';
+import { reasonOf, sentenceOf, UNIT_SIZES } from '../core/strings.js';
 import type { Loaded, LoadOptions, Unit } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { borderInDoubt } from '../session/drawing.js';
@@ -74,7 +74,7 @@ function units(session: Session, loaded: Loaded): HTMLElement[] {
   };
   return [
     h('h2', { id: 'question' }, words.question.size),
-    h('p', {}, loaded.units.reason),
+    h('p', {}, reasonOf(loaded.units)),
     h('div', { class: 'choices' }, ...[...offered, ...(offered.some((c) => isTaken(loaded, c)) ? [] : [now])].map(choice)),
   ];
 }

@@ -10,6 +10,7 @@ import type { Theme } from '../core/theme.js';
 import type { Queue } from '../session/queue.js';
 import { fileList } from './files.js';
 import { settingsMenu } from './settings.js';
+import { reasonOf } from '../core/strings.js';
 import { isTaken, sizeIn, unitChoices, unitName } from './question.js';
 import { words } from '../core/words/index.js';
 
@@ -61,7 +62,7 @@ export function topBar(session: Session, queue: Queue, theme: Theme, actions: To
     if (!loaded) return;
     const { unit, dpi, source, doubtful } = loaded.units;
     units.replaceChildren(h('span', { class: 'hidden' }, words.top.unitsAre), h('span', {}, dpi === null ? unit : words.top.resolution(dpi)), h('span', { class: 'soft source' }, words.unitSources[source]), icon('down'));
-    units.title = loaded.units.reason;
+    units.title = reasonOf(loaded.units);
     units.classList.toggle('doubtful', doubtful);
     setText(measure, extent(x1 - x0, y1 - y0));
   };
@@ -89,6 +90,6 @@ function fillUnits(session: Session, list: HTMLElement): void {
   const { loaded } = session.state;
   if (!loaded) return;
   list.replaceChildren(
-    h('p', { class: 'menu-note' }, loaded.units.reason),
+    h('p', { class: 'menu-note' }, reasonOf(loaded.units)),
     ...unitChoices(loaded).map((c) => menuItem(unitName(c), sizeIn(session.state, c), isTaken(loaded, c), () => session.drawing.setUnits(c))));
 }

@@ -1,6 +1,7 @@
 /** The words of the page in German. The language has not been reviewed by a native reader yet: see `settings.draft`. */
 
 import type { Words } from './index.js';
+import { sentences } from './sentences/de.js';
 
 /** "1 Kontur", "3 Konturen". */
 const counted = (n: number, written: string, one: string, many: string) => `${written} ${n === 1 ? one : many}`;
@@ -61,58 +62,7 @@ export const de: Words = {
     more: (n, w) => counted(n, w, 'weiterer Befund, nicht aufgeführt', 'weitere Befunde, nicht aufgeführt'),
   },
 
-  sentences: {
-    gapClosed: 'Eine Lücke von {0} mm in dieser Kontur wurde geschlossen.',
-    gapsClosed: '{0} Lücken in dieser Kontur wurden geschlossen, die größte mit {1} mm.',
-    gapLeft: 'Eine Lücke von {0} mm bleibt offen: Sie ist größer als die Verbindungstoleranz von {1} mm. Erhöhen Sie die Toleranz, um sie zu schließen.',
-    endOpen: 'Ein Ende trifft auf zwei andere, die besser zueinander passen: Es bleibt offen.',
-    onTop: 'Dieses Element ({0}) liegt auf einem anderen: Es wird einmal geschnitten.',
-    along: 'Dieses Element ({0}) liegt ganz auf anderen Linien: Es wird einmal geschnitten.',
-    partlyAlong: '{0} mm dieses Elements ({1}) liegen auf anderen Linien: Sie werden einmal geschnitten.',
-    noLength: 'Dieses Element ({0}) hat keine Länge: Es gibt nichts zu schneiden, es entfällt.',
-    sliver: 'Dieses geschlossene Element ({0}) ist schmaler als die Toleranz von {1} mm: Es wird einmal als Linie geschnitten und ist kein Teil.',
-    open: 'Diese Kontur von {0} mm ist nicht geschlossen: Sie wird als offene Linie geschnitten und löst kein Teil. Schließen Sie sie in der Zeichnung oder erhöhen Sie die Verbindungstoleranz.',
-    crossesItselfOnce: 'Diese Kontur kreuzt sich an einer Stelle selbst: Was innen liegt, ist unsicher.',
-    crossesItself: 'Diese Kontur kreuzt sich an {0} Stellen selbst: Was innen liegt, ist unsicher.',
-    crossOnce: 'Zwei Konturen kreuzen sich an einer Stelle: Beide werden wie gezeichnet geschnitten.',
-    cross: 'Zwei Konturen kreuzen sich an {0} Stellen: Beide werden wie gezeichnet geschnitten.',
-    severalLayers: 'Diese Kontur liegt auf {0} Layern: {1}. Sie wird dem Layer {2} zugerechnet, auf dem ihr größter Teil liegt.',
-    mayMarkOne: '1 Form auf Layer {0}, dessen Name auf Markieren hindeutet, wird derzeit geschnitten. Wählen Sie Markieren oder Ignorieren.',
-    mayMark: '{0} Formen auf Layer {1}, dessen Name auf Markieren hindeutet, werden derzeit geschnitten. Wählen Sie Markieren oder Ignorieren.',
-    mayIgnoreOne: '1 Form auf Layer {0}, dessen Name darauf hindeutet, dass er nicht geschnitten wird, wird derzeit geschnitten. Wählen Sie Ignorieren, um sie zu überspringen.',
-    mayIgnore: '{0} Formen auf Layer {1}, dessen Name darauf hindeutet, dass er nicht geschnitten wird, werden derzeit geschnitten. Wählen Sie Ignorieren, um sie zu überspringen.',
-    ignoredOne: '1 Form auf Layer {0} entfällt.',
-    ignored: '{0} Formen auf Layer {1} entfallen.',
-    skippedOne: '1 Kontur ist nach Wunsch übersprungen.',
-    skipped: '{0} Konturen sind nach Wunsch übersprungen.',
-    borderIgnored: 'Der Rand um alles gilt als Tafel und wird ignoriert: {0}. Behalten Sie ihn, wenn er ein Schnitt ist.',
-    borderCut: 'Der Rand um alles wird geschnitten, wie Sie es gewählt haben: {0}.',
-    borderDoubt: 'Das Rechteck um alles ist vielleicht die Tafel und kein Schnitt: {0}. Es wird derzeit geschnitten: Behalten oder ignorieren Sie es.',
-    aloneOnLayer: 'es liegt allein auf Layer {0}',
-    partInside: '1 Teil liegt darin',
-    partsInside: '{0} Teile liegen darin',
-    sold: 'Tafeln von {0} × {1} mm sind üblich',
-    nothingElse: 'auf Layer {0} liegt sonst nichts',
-    leftOut: '{0} {1} entfällt: {2}.',
-    adviceText: 'Text hat keinen Umriss; wandeln Sie ihn im Zeichenprogramm in Kurven um, wenn er geschnitten oder markiert werden soll',
-    adviceNotes: 'Maße und Notizen werden nicht geschnitten',
-    advicePoint: 'ein Punkt hat keine Länge',
-    adviceExplode: 'lösen Sie es im Zeichenprogramm in Linien auf, wenn es geschnitten werden soll',
-    offBed: 'Der Auftrag reicht von x {0} bis {1} und y {2} bis {3} mm, über den Arbeitsbereich hinaus (x {4} bis {5}, y {6} bis {7} mm). Legen Sie ihn auf den Arbeitsbereich, zum Beispiel mit der linken unteren Ecke in dessen linke untere Ecke.',
-    endsEarly: 'Die Datei endet ohne ihre Endmarke: Vielleicht wurde sie nicht ganz kopiert. Prüfen Sie, ob etwas fehlt.',
-    endsInside: 'Die Datei endet mittendrin: Wahrscheinlich wurde sie nicht ganz kopiert. Was danach kommt, fehlt.',
-    asOne: '{0} Konturen teilen sich Schnitte und werden als eine geschnitten, mit 1 Einstich statt {1}: {2} m einmal statt zweimal.',
-    oneKerf: 'Teile im Abstand einer Schnittfuge: {0} mm zwischen ihnen werden einmal statt zweimal geschnitten.',
-    narrowerThanKerf: 'Diese Kontur ist hier schmaler als die Schnittfuge von {0} mm: Sie behält ihre gezeichnete Linie, die um eine halbe Fuge abweicht. Verbreitern Sie sie oder schneiden Sie mit feinerem Strahl.',
-    noLeadIn: 'Kontur {0} hat keine Anfahrt: Es ist kein Platz, also wird auf ihrem Umriss eingestochen. Rücken Sie die Teile auseinander oder erlauben Sie kürzere Anfahrten oder weniger Abstand.',
-    leadTurned: 'Kontur {0} hat eine gedrehte Anfahrt, weil die gewünschte nicht passt.',
-    leadMoved: 'Kontur {0} hat ihre Anfahrt an einer anderen Stelle, weil an der gewünschten kein Platz ist.',
-    leadShorter: 'Kontur {0} hat eine Anfahrt von {1} mm statt {2} mm, weil diese nicht passt.',
-    leadLine: 'Kontur {0} hat eine Linie von {1} mm als Anfahrt, weil der gewünschte Bogen nicht passt.',
-    jointsFewer: 'Kontur {0} hat {1} von {2} Mikrostegen: Für mehr ist kein Platz. Erlauben Sie schmalere Stege oder weniger Abstand von Ecken.',
-    jointMoved: 'Ein Mikrosteg der Kontur {0} wurde um {1} mm verschoben, weil er in einer Ecke oder zu nahe an einem anderen Schnitt lag.',
-    jointLeftOut: 'Ein Mikrosteg der Kontur {0} entfällt: Er liegt in einer Ecke, an einem anderen Steg oder an einem anderen Schnitt. Setzen Sie ihn woandershin.',
-  },
+  sentences,
 
   report: {
     machine: 'Maschine', material: 'Material', size: 'Größe', parts: 'Teile', weight: 'Gewicht', printed: 'Gedruckt', picture: 'Der Weg des Strahls mit Reihenfolge und Richtung',

@@ -1,6 +1,7 @@
 /** The words of the page in Spanish. The language has not been reviewed by a native reader yet: see `settings.draft`. */
 
 import type { Words } from './index.js';
+import { sentences } from './sentences/es.js';
 
 /** "1 contorno", "3 contornos". */
 const counted = (n: number, written: string, one: string, many = `${one}s`) => `${written} ${n === 1 ? one : many}`;
@@ -61,58 +62,7 @@ export const es: Words = {
     more: (n, w) => counted(n, w, 'observación más, no listada', 'observaciones más, no listadas'),
   },
 
-  sentences: {
-    gapClosed: 'Se cerró un hueco de {0} mm en este contorno.',
-    gapsClosed: 'Se cerraron {0} huecos en este contorno, el mayor de {1} mm.',
-    gapLeft: 'Queda abierto un hueco de {0} mm: es mayor que la tolerancia de unión de {1} mm. Aumente la tolerancia para cerrarlo.',
-    endOpen: 'Un extremo toca otros dos que encajan mejor entre sí: queda abierto.',
-    onTop: 'Este elemento ({0}) está encima de otro: se corta una vez.',
-    along: 'Este elemento ({0}) está por completo sobre otras líneas: se corta una vez.',
-    partlyAlong: '{0} mm de este elemento ({1}) están sobre otras líneas: se cortan una vez.',
-    noLength: 'Este elemento ({0}) no tiene longitud: no hay nada que cortar y se omite.',
-    sliver: 'Este elemento cerrado ({0}) es más estrecho que la tolerancia de {1} mm: se corta una vez, como línea, y no es una pieza.',
-    open: 'Este contorno de {0} mm no se cierra: se corta como línea abierta y no libera ninguna pieza. Ciérrelo en el dibujo o aumente la tolerancia de unión.',
-    crossesItselfOnce: 'Este contorno se cruza a sí mismo en 1 lugar: no está claro qué queda dentro.',
-    crossesItself: 'Este contorno se cruza a sí mismo en {0} lugares: no está claro qué queda dentro.',
-    crossOnce: 'Dos contornos se cruzan en 1 lugar: ambos se cortan como están dibujados.',
-    cross: 'Dos contornos se cruzan en {0} lugares: ambos se cortan como están dibujados.',
-    severalLayers: 'Este contorno está en {0} capas: {1}. Se cuenta en {2}, donde está la mayor parte.',
-    mayMarkOne: '1 forma en la capa {0}, cuyo nombre sugiere marcar, se corta por ahora. Elija marcar o ignorar.',
-    mayMark: '{0} formas en la capa {1}, cuyo nombre sugiere marcar, se cortan por ahora. Elija marcar o ignorar.',
-    mayIgnoreOne: '1 forma en la capa {0}, cuyo nombre sugiere que no se corta, se corta por ahora. Elija ignorar para omitirla.',
-    mayIgnore: '{0} formas en la capa {1}, cuyo nombre sugiere que no se corta, se cortan por ahora. Elija ignorar para omitirlas.',
-    ignoredOne: 'Se omite 1 forma de la capa {0}.',
-    ignored: 'Se omiten {0} formas de la capa {1}.',
-    skippedOne: '1 contorno omitido por elección.',
-    skipped: '{0} contornos omitidos por elección.',
-    borderIgnored: 'El borde alrededor de todo se toma por la chapa y se ignora: {0}. Consérvelo si es un corte.',
-    borderCut: 'El borde alrededor de todo se corta, como usted eligió: {0}.',
-    borderDoubt: 'El rectángulo alrededor de todo puede ser la chapa y no un corte: {0}. Por ahora se corta: consérvelo o ignórelo.',
-    aloneOnLayer: 'está solo en la capa {0}',
-    partInside: '1 pieza está dentro',
-    partsInside: '{0} piezas están dentro',
-    sold: 'se venden chapas de {0} × {1} mm',
-    nothingElse: 'no hay nada más en la capa {0}',
-    leftOut: '{0} {1} omitido: {2}.',
-    adviceText: 'el texto no tiene contorno que cortar; conviértalo en curvas en el programa de dibujo si se debe cortar o marcar',
-    adviceNotes: 'las cotas y notas no se cortan',
-    advicePoint: 'un punto no tiene longitud que cortar',
-    adviceExplode: 'descompóngalo en líneas en el programa de dibujo si se debe cortar',
-    offBed: 'El trabajo abarca de x {0} a {1} y de y {2} a {3} mm, más allá de la mesa (x {4} a {5}, y {6} a {7} mm). Colóquelo en la mesa, por ejemplo con su esquina inferior izquierda en la de la mesa.',
-    endsEarly: 'El archivo termina sin su marca de fin: quizá no se copió entero. Compruebe que no falte nada.',
-    endsInside: 'El archivo termina a la mitad: probablemente no se copió entero. Falta lo que sigue.',
-    asOne: '{0} contornos comparten cortes y se cortan como uno, con 1 perforación en lugar de {1}: {2} m se cortan una vez en lugar de dos.',
-    oneKerf: 'Piezas a un ancho de corte: {0} mm entre ellas se cortan una vez en lugar de dos.',
-    narrowerThanKerf: 'Este contorno es aquí más estrecho que el ancho de corte de {0} mm: conserva su línea dibujada, que se desvía medio ancho. Ensánchelo o córtelo con un haz más fino.',
-    noLeadIn: 'El contorno {0} no tiene entrada: no hay sitio, así que se perfora sobre su contorno. Separe las piezas o permita entradas más cortas o menos distancia.',
-    leadTurned: 'El contorno {0} tiene la entrada girada, porque la deseada no cabe.',
-    leadMoved: 'El contorno {0} tiene la entrada en otra posición, porque en la deseada no hay sitio.',
-    leadShorter: 'El contorno {0} tiene una entrada de {1} mm en lugar de {2} mm, porque esa no cabe.',
-    leadLine: 'El contorno {0} tiene una línea de {1} mm como entrada, porque el arco deseado no cabe.',
-    jointsFewer: 'El contorno {0} tiene {1} de {2} microuniones: no hay sitio para más. Permita uniones más estrechas o menos distancia de las esquinas.',
-    jointMoved: 'Una microunión del contorno {0} se desplazó {1} mm, porque estaba en una esquina o demasiado cerca de otro corte.',
-    jointLeftOut: 'Una microunión del contorno {0} se omite: está en una esquina, en otra microunión o en otro corte. Colóquela en otro lugar.',
-  },
+  sentences,
 
   report: {
     machine: 'Máquina', material: 'Material', size: 'Tamaño', parts: 'Piezas', weight: 'Peso', printed: 'Impreso', picture: 'El recorrido del haz con orden y sentido',

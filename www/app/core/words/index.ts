@@ -38,11 +38,10 @@ const wanted = kept(LANGUAGE_KEY, codes) ?? spoken.map((code) => codes.find((c) 
 // Without a network, a language that was never used before is not there, and the page is in English.
 export const words: typeof en & Partial<Pick<Words, 'errors' | 'report' | 'sentences'>> = wanted === 'en' ? en : await LOADED[wanted]().catch((): typeof en => en);
 
-const { sentences } = words;
-const patterns = sentences === undefined ? null : await import('./sentences.js').catch(() => null);
+const patterns = words === en ? null : await import('./sentences.js').catch(() => null);
 
 /** A sentence of the planner in the language of the page; null where there is none, and in English. */
-export const translated = (sentence: string): string | null => (sentences === undefined || patterns === null ? null : patterns.translated(sentences, sentence, words.numbers.locale));
+export const translated = (sentence: string): string | null => patterns?.translated(words as Words, sentence) ?? null;
 
 /** The language of the page. */
 export const language: Language = words === en ? 'en' : wanted;

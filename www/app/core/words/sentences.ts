@@ -1,11 +1,57 @@
 /**
- * The planner's sentences about a drawing, which it writes in English, as patterns for the other languages: `{}` stands for a value. A value that is
- * such a sentence or phrase itself is translated as well. A sentence without a pattern is shown as it is, beneath the title of its code.
+ * The planner's sentences about a drawing, which it writes in English, as patterns for the other languages: `{}` stands for a value, `{unit}` for the
+ * name of a unit. A value that is such a sentence or phrase itself is translated as well, so an outer sentence comes before those it may hold. A sentence without a
+ * pattern is shown as it is, beneath the title of its code.
  *
  * `tests/package/words.test.mjs` compares the patterns with the sources of the planner.
  */
 
+import type { Unit } from 'kerfway';
+import type { Words } from './index.js';
+
 export const SENTENCES = {
+  checkUnits: '{} Check the units.',
+  unitsMayBe: '{} It may also be in {unit} ({}), because {}.',
+  unitsWouldBe: '{} In {unit} it would be {}.',
+  unitsTaken: '{}: taken as {unit} ({}), because {}.',
+  pixelsTaken: '{}: {} to the inch are taken, because {}.',
+  unitsUnusual: 'The file says {unit}, but then the drawing is {} large.',
+  unitsLikely: 'The file says {unit} ({}), but {unit} ({}) are likely as well, because {}.',
+  unitsOfFile: 'The file says {unit}.',
+  pixelsChosen: 'Chosen: pixels, {} to the inch.',
+  unitsChosen: 'Chosen: {unit}.',
+  pageInUnits: 'The page says its size in a unit of length.',
+  noUnits: 'The file names no units',
+  uselessUnits: 'The file names units that no cutting drawing is in (code {})',
+  sizeInPixels: 'The size of the SVG is in pixels',
+  noViewBox: 'The page has a size but no viewBox, so what is drawn on it is in pixels',
+  oldInkscape: 'Inkscape before 0.92 made them so',
+  inkscape: 'Inkscape makes them so',
+  illustrator: 'Illustrator makes them so',
+  browsers: 'browsers show them so; Illustrator means 72 to the inch, Inkscape before 0.92 meant 90',
+  mostlyMm: 'most cutting drawings are in millimetres',
+  usualInMm: 'only in millimetres the size is usual',
+  usualInInches: 'only in inches the size is usual',
+  drills: 'holes of {} are drill sizes in inches',
+  holesTooSmall: 'its holes would be too small in millimetres',
+  holesRoundIfInches: 'its holes are round in millimetres only if it is in inches',
+  holesInMm: 'holes of {} are usual in millimetres',
+  drillsIfMm: 'its holes are drill sizes in inches only if it is in millimetres',
+  layerCalled: 'a layer is called {}',
+  fitsSheet: 'it fits the sheet of layer {}',
+  textsTooSmall: 'its texts would be too small in millimetres',
+  textsInMm: 'its texts have heights that are usual in millimetres',
+  settingsInches: 'its settings are for inches',
+  settingsMetric: 'its settings are metric',
+  feetAndInches: 'it shows lengths in feet and inches',
+  inFractions: 'it shows lengths as fractions',
+  dimensionsInches: 'its dimension style is that of a drawing in inches',
+  dimensionsMetric: 'its dimension style is metric',
+  roundInMm: 'its lengths are round in millimetres',
+  fractionsOfInch: 'its lengths are fractions of an inch',
+  roundMmIfInches: 'its lengths are round in millimetres if it is in inches',
+  roundInchesIfMm: 'its lengths are round in inches if it is in millimetres',
+  overKilometre: 'over 1 km',
   gapClosed: 'A gap of {} mm in this contour was closed.',
   gapsClosed: '{} gaps in this contour were closed, the widest {} mm.',
   gapLeft: 'A gap of {} mm is left open: it is wider than the joining tolerance of {} mm. Raise the tolerance to close it.',
@@ -61,22 +107,44 @@ export const SENTENCES = {
 /** The same in another language, with `{0}`, `{1}`, ... for the values. */
 export type Sentences = Record<keyof typeof SENTENCES, string>;
 
+/** Units as the planner's sentences name them. */
+const UNITS: Record<string, Unit> = {
+  millimetres: 'mm', centimetres: 'cm', metres: 'm', decimetres: 'dm', micrometres: 'um',
+  inches: 'in', feet: 'ft', yards: 'yd', mils: 'mil', microinches: 'microinch', pixels: 'px',
+};
+
 /** Characters that mean something in a regular expression. */
 const SPECIAL = /[.*+?^$()|[\]\\]/g;
+const VALUE = /\{(?:unit)?\}/g;
 
-const PATTERNS = Object.entries(SENTENCES).map(([key, pattern]) => [key as keyof Sentences, new RegExp(`^${pattern.replace(SPECIAL, '\\$&').replaceAll('{}', '(.+?)')}$`)] as const);
+const PATTERNS = Object.entries(SENTENCES).map(([key, pattern]) => ({
+  key: key as keyof Sentences,
+  matches: new RegExp(`^${pattern.replace(SPECIAL, '\\$&').replace(VALUE, '(.+?)')}$`),
+  values: pattern.match(VALUE) ?? [],
+}));
 
-/** A sentence of the planner in a language; null where there is none. `locale`: the language's code. */
-export function translated(own: Sentences, sentence: string, locale: string): string | null {
-  for (const [key, pattern] of PATTERNS) {
-    const [, ...values] = pattern.exec(sentence) ?? [];
-    if (values.length > 0 || sentence === SENTENCES[key]) return own[key].replace(/\{(\d)\}/g, (_all, k: string) => phrases(own, values[Number(k)] ?? '', locale));
+/** What a language has for the planner's sentences. */
+type Own = Pick<Words, 'sentences' | 'unitNames' | 'numbers'>;
+
+/** A sentence of the planner in a language; null where there is none. */
+export function translated(own: Own, sentence: string): string | null {
+  for (const { key, matches, values } of PATTERNS) {
+    const found = matches.exec(sentence);
+    if (found === null) continue;
+    const inOwn = values.map((kind, k) => (kind === '{unit}' ? unit : phrases)(own, found[k + 1] ?? ''));
+    return own.sentences[key].replace(/\{(\d)\}/g, (_all, k: string) => inOwn[Number(k)] ?? '');
   }
   return null;
 }
 
-/** A value of a sentence: phrases of the planner, which it joins by "and", in the language; anything else as it is. */
-function phrases(own: Sentences, value: string, locale: string): string {
-  const all = value.split(', and ').map((phrase) => translated(own, phrase, locale));
-  return all.every((phrase) => phrase !== null) ? new Intl.ListFormat(locale).format(all) : value;
+function unit(own: Own, name: string): string {
+  const known = UNITS[name];
+  return known === undefined ? name : own.unitNames[known];
+}
+
+/** A value of a sentence: phrases of the planner, which it joins by "and", or a sentence, in the language; anything else as it is. */
+function phrases(own: Own, value: string): string {
+  const all = value.split(', and ').map((phrase) => translated(own, phrase));
+  if (all.every((phrase) => phrase !== null)) return new Intl.ListFormat(own.numbers.locale).format(all);
+  return translated(own, value) ?? value;
 }

@@ -1,6 +1,7 @@
 /** The words of the page in Chinese (simplified). The language has not been reviewed by a native reader yet: see `settings.draft`. */
 
 import type { Words } from './index.js';
+import { sentences } from './sentences/zh.js';
 
 const contours = (_n: number, w: string) => `${w} 个轮廓`;
 const parts = (_n: number, w: string) => `${w} 个零件`;
@@ -58,58 +59,7 @@ export const zh: Words = {
     more: (_n, w) => `另有 ${w} 项未列出`,
   },
 
-  sentences: {
-    gapClosed: '已闭合此轮廓中 {0} mm 的间隙。',
-    gapsClosed: '已闭合此轮廓中的 {0} 处间隙，最宽 {1} mm。',
-    gapLeft: '{0} mm 的间隙保持开放：它大于 {1} mm 的连接公差。增大公差可将其闭合。',
-    endOpen: '一个端点与另外两个更相配的端点相遇：它保持开放。',
-    onTop: '此 {0} 与另一个重叠：只切割一次。',
-    along: '此 {0} 完全位于其他线上：只切割一次。',
-    partlyAlong: '此 {1} 有 {0} mm 位于其他线上：只切割一次。',
-    noLength: '此 {0} 没有长度：无可切割，已略去。',
-    sliver: '此闭合 {0} 比 {1} mm 的公差更窄：作为一条线切割一次，不算零件。',
-    open: '这个 {0} mm 的轮廓未闭合：作为开放线切割，不会分离零件。请在图纸中闭合它，或增大连接公差。',
-    crossesItselfOnce: '此轮廓在 1 处与自身相交：内部范围不确定。',
-    crossesItself: '此轮廓在 {0} 处与自身相交：内部范围不确定。',
-    crossOnce: '两个轮廓在 1 处相交：均按图切割。',
-    cross: '两个轮廓在 {0} 处相交：均按图切割。',
-    severalLayers: '此轮廓位于 {0} 个图层：{1}。按其大部分所在的 {2} 处理。',
-    mayMarkOne: '图层 {0} 上的 1 个图形目前会被切割，而图层名称表示打标。请选择打标或忽略。',
-    mayMark: '图层 {1} 上的 {0} 个图形目前会被切割，而图层名称表示打标。请选择打标或忽略。',
-    mayIgnoreOne: '图层 {0} 上的 1 个图形目前会被切割，而图层名称表示不切割。选择忽略可跳过它。',
-    mayIgnore: '图层 {1} 上的 {0} 个图形目前会被切割，而图层名称表示不切割。选择忽略可跳过它们。',
-    ignoredOne: '已略去图层 {0} 上的 1 个图形。',
-    ignored: '已略去图层 {1} 上的 {0} 个图形。',
-    skippedOne: '按选择略去 1 个轮廓。',
-    skipped: '按选择略去 {0} 个轮廓。',
-    borderIgnored: '围绕全部内容的边框被视为板材并忽略：{0}。如果它是切割线，请保留。',
-    borderCut: '按您的选择切割围绕全部内容的边框：{0}。',
-    borderDoubt: '围绕全部内容的矩形可能是板材而非切割线：{0}。目前会切割它：请保留或忽略。',
-    aloneOnLayer: '它单独位于图层 {0}',
-    partInside: '其内有 1 个零件',
-    partsInside: '其内有 {0} 个零件',
-    sold: '{0} × {1} mm 是常见的板材尺寸',
-    nothingElse: '图层 {0} 上没有其他内容',
-    leftOut: '已略去 {0} 个 {1}：{2}。',
-    adviceText: '文字没有可切割的轮廓；如需切割或打标，请在绘图软件中转换为曲线',
-    adviceNotes: '尺寸和注释不切割',
-    advicePoint: '点没有可切割的长度',
-    adviceExplode: '如需切割，请在绘图软件中将其分解为线条',
-    offBed: '任务范围为 x {0} 至 {1}、y {2} 至 {3} mm，超出工作台（x {4} 至 {5}、y {6} 至 {7} mm）。请将其放到工作台上，例如左下角对齐工作台左下角。',
-    endsEarly: '文件没有结束标记：可能未完整复制。请检查是否有缺失。',
-    endsInside: '文件在中途结束：可能未完整复制。其后的内容缺失。',
-    asOne: '{0} 个轮廓共用切割并作为一个切割，只穿孔 1 次而非 {1} 次：{2} m 只切一次而非两次。',
-    oneKerf: '相距一个割缝的零件：其间 {0} mm 只切一次而非两次。',
-    narrowerThanKerf: '此轮廓在这里比 {0} mm 的割缝更窄：保持所绘线条，偏差半个割缝。请加宽，或使用更细的光束。',
-    noLeadIn: '轮廓 {0} 没有引入线：没有空间，因此在轮廓上穿孔。请拉开零件，或允许更短的引线或更小的间距。',
-    leadTurned: '轮廓 {0} 的引入线已转向，因为所需的放不下。',
-    leadMoved: '轮廓 {0} 的引入线在另一位置，因为所需位置没有空间。',
-    leadShorter: '轮廓 {0} 的引入线为 {1} mm 而非 {2} mm，因为后者放不下。',
-    leadLine: '轮廓 {0} 以 {1} mm 的直线引入，因为所需的圆弧放不下。',
-    jointsFewer: '轮廓 {0} 有 {2} 个微连接中的 {1} 个：没有更多空间。请允许更窄的连接或更小的拐角距离。',
-    jointMoved: '轮廓 {0} 的一个微连接移动了 {1} mm，因为它在拐角处或离另一切割太近。',
-    jointLeftOut: '轮廓 {0} 的一个微连接已略去：它在拐角处、另一微连接处或另一切割处。请放到别处。',
-  },
+  sentences,
 
   report: {
     machine: '机器', material: '材料', size: '尺寸', parts: '零件', weight: '重量', printed: '打印时间', picture: '光束路径，含顺序和方向',
