@@ -10,9 +10,12 @@ import { Stop } from './tools.mjs';
  */
 const ARGUMENTS = ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'];
 
+/** The options of V8 that tests run with (scripts/test.mjs). */
+const OF_TESTS = process.env.KERFWAY_V8 === undefined ? [] : [`--js-flags=${process.env.KERFWAY_V8}`];
+
 /** Starts Chromium, with further arguments if there are any. */
 export function launchBrowser(...more) {
   const executablePath = findBrowser();
   if (executablePath === undefined) throw new Stop('This needs Chromium or Chrome. Run: npm run setup -- --tests');
-  return chromium.launch({ executablePath, args: [...ARGUMENTS, ...more] });
+  return chromium.launch({ executablePath, args: [...ARGUMENTS, ...OF_TESTS, ...more] });
 }

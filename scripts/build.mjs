@@ -5,7 +5,8 @@ import { createHash } from 'node:crypto';
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { join, relative, sep } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { brotliCompressSync, constants, gzipSync } from 'node:zlib';
+import { promisify } from 'node:util';
+import { brotliCompress, constants, gzip } from 'node:zlib';
 import { policyWith } from './policy.mjs';
 import { setup } from './setup.mjs';
 import { quietly, together } from './together.mjs';
@@ -32,6 +33,9 @@ export const BUDGETS = { core: 696, page: 700 };
  */
 export const LEAN = '-Cllvm-args=-inline-threshold=45 -Cllvm-args=-unroll-threshold=0 -Cllvm-args=-unroll-partial-threshold=0';
 
+/** Compressed beside each other, on all cores. */
+const [brotli, zip] = [brotliCompress, gzip].map(promisify);
+
 /** The wasm files, with the feature of the crate each is built with. */
 const FILES = { kerfway: 'planner', kerfway_outputs: 'outputs', kerfway_research: 'research', kerfway_png: 'png' };
 
@@ -52,8 +56,8 @@ export async function build({ quick = false } = {}) {
   run('vite', ['build', '--logLevel', 'warn', join(ROOT, 'www', 'app')]);
   offline();
   if (quick) return;
-  compress();
-  weigh();
+  await compress();
+  await weigh();
 }
 
 /** Makes the wasm files that are out of date, with their JavaScript and their types. */
@@ -188,9 +192,9 @@ function offline() {
   run('esbuild', [to, '--minify', '--allow-overwrite', `--outfile=${to}`, '--log-level=warning']);
 }
 
-/** Writes each file of the page compressed beside it, once at build time, as well as Brotli can: what a first visit fetches in two ways. */
+/** Writes each file of the page compressed beside it, once at build time, as well as Brotli can: what a first visit fetches in several ways. */
 function compress() {
-  for (const file of filesIn(APP)) writeFileSync(`${file}.br`, (onDemand(file) ? brotliCompressSync : smallest)(readFileSync(file)));
+  return Promise.all(filesIn(APP).map(async (file) => writeFileSync(`${file}.br`, await (onDemand(file) ? brotli : smallest)(readFileSync(file)))));
 }
 
 /**
@@ -199,13 +203,13 @@ function compress() {
  */
 const DISTANCES = [[0, 0], [0, 15], [1, 20], [1, 30]];
 
-function smallest(bytes) {
+async function smallest(bytes) {
   const { BROTLI_PARAM_NPOSTFIX: postfix, BROTLI_PARAM_NDIRECT: direct } = constants;
-  const tried = DISTANCES.map(([p, d]) => brotliCompressSync(bytes, { params: { [postfix]: p, [direct]: d } }));
+  const tried = await Promise.all(DISTANCES.map(([p, d]) => brotli(bytes, { params: { [postfix]: p, [direct]: d } })));
   return tried.reduce((least, other) => (other.length < least.length ? other : least));
 }
 
-function weigh() {
+async function weigh() {
   const rows = [
     ['core wasm', [join(WASM, 'kerfway_bg.wasm')], BUDGETS.core],
     ['writers of outputs, on demand', [join(WASM, 'kerfway_outputs_bg.wasm')], null],
@@ -218,15 +222,14 @@ function weigh() {
   console.log('');
   for (const [what, files, budget, by = 'gzip'] of rows) {
     const raw = files.reduce((sum, f) => sum + statSync(f).size, 0) / 1000;
+    const kilobytes = async (size) => (await Promise.all(files.map(size))).reduce((sum, bytes) => sum + bytes, 0) / 1000;
     // The files of the page have been compressed already.
-    const compressed = (f) => (by === 'brotli' ? statSync(`${f}.br`).size : brotliCompressSync(readFileSync(f)).length);
-    const [gzip, brotli] = [(f) => gzipSync(readFileSync(f), { level: 9 }).length, compressed].map(
-      (size) => files.reduce((sum, f) => sum + size(f), 0) / 1000,
-    );
-    const isOver = budget !== null && { gzip, brotli }[by] > budget;
+    const compressed = async (f) => (by === 'brotli' ? statSync(`${f}.br`).size : (await brotli(readFileSync(f))).length);
+    const [zipped, packed] = await Promise.all([kilobytes(async (f) => (await zip(readFileSync(f), { level: 9 })).length), kilobytes(compressed)]);
+    const isOver = budget !== null && { gzip: zipped, brotli: packed }[by] > budget;
     const limit = budget === null ? '' : `   budget ${budget} kB ${by}${isOver ? '   OVER' : ''}`;
     over ||= isOver;
-    console.log(`${what.padEnd(36)}${kB(raw)} kB raw${kB(gzip)} kB gzip${kB(brotli)} kB brotli${limit}`);
+    console.log(`${what.padEnd(36)}${kB(raw)} kB raw${kB(zipped)} kB gzip${kB(packed)} kB brotli${limit}`);
   }
   if (over) throw new Stop('The build is over its size budget.');
 }
