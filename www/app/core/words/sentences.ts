@@ -104,8 +104,8 @@ export const SENTENCES = {
   jointLeftOut: 'A micro-joint of contour {} was left out: it is in a corner, at another micro-joint or at another cut. Place it elsewhere.',
 } as const;
 
-/** The same in another language, with `{0}`, `{1}`, ... for the values. */
-export type Sentences = Record<keyof typeof SENTENCES, string>;
+/** The same in another language, with `{0}`, `{1}`, ... for the values, and what stands between two reasons. */
+export type Sentences = Record<keyof typeof SENTENCES | 'and', string>;
 
 /** Units as the planner's sentences name them. */
 const UNITS: Record<string, Unit> = {
@@ -118,13 +118,13 @@ const SPECIAL = /[.*+?^$()|[\]\\]/g;
 const VALUE = /\{(?:unit)?\}/g;
 
 const PATTERNS = Object.entries(SENTENCES).map(([key, pattern]) => ({
-  key: key as keyof Sentences,
+  key: key as keyof typeof SENTENCES,
   matches: new RegExp(`^${pattern.replace(SPECIAL, '\\$&').replace(VALUE, '(.+?)')}$`),
   values: pattern.match(VALUE) ?? [],
 }));
 
 /** What a language has for the planner's sentences. */
-type Own = Pick<Words, 'sentences' | 'unitNames' | 'numbers'>;
+type Own = Pick<Words, 'sentences' | 'unitNames'>;
 
 /** A sentence of the planner in a language; null where there is none. */
 export function translated(own: Own, sentence: string): string | null {
@@ -145,6 +145,6 @@ function unit(own: Own, name: string): string {
 /** A value of a sentence: phrases of the planner, which it joins by "and", or a sentence, in the language; anything else as it is. */
 function phrases(own: Own, value: string): string {
   const all = value.split(', and ').map((phrase) => translated(own, phrase));
-  if (all.every((phrase) => phrase !== null)) return new Intl.ListFormat(own.numbers.locale).format(all);
+  if (all.every((phrase) => phrase !== null)) return all.join(own.sentences.and);
   return translated(own, value) ?? value;
 }

@@ -3,9 +3,10 @@
 import type { Sentences } from '../sentences.js';
 
 export const sentences: Sentences = {
+  and: ' und ',
   checkUnits: '{0} Prüfen Sie die Einheit.',
   unitsMayBe: '{0} Möglich sind auch {1} ({2}), denn {3}.',
-  unitsWouldBe: '{0} In {1} wären es {2}.',
+  unitsWouldBe: '{0} Mit {1} als Einheit wären es {2}.',
   unitsTaken: '{0}: Angenommen sind {1} ({2}), denn {3}.',
   pixelsTaken: '{0}: Angenommen sind {1} je Zoll, denn {2}.',
   unitsUnusual: 'Laut Datei ist die Einheit {0}, aber dann ist die Zeichnung {1} groß.',

@@ -3,6 +3,7 @@
 import type { Sentences } from '../sentences.js';
 
 export const sentences: Sentences = {
+  and: ' y ',
   checkUnits: '{0} Compruebe las unidades.',
   unitsMayBe: '{0} También pueden ser {1} ({2}), porque {3}.',
   unitsWouldBe: '{0} En {1} mediría {2}.',

@@ -3,6 +3,7 @@
 import type { Sentences } from '../sentences.js';
 
 export const sentences: Sentences = {
+  and: '。また、',
   checkUnits: '{0}単位を確認してください。',
   unitsMayBe: '{0}{1}（{2}）の可能性もあります。理由：{3}。',
   unitsWouldBe: '{0}{1}なら {2} です。',

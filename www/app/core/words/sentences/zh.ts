@@ -3,6 +3,7 @@
 import type { Sentences } from '../sentences.js';
 
 export const sentences: Sentences = {
+  and: '，而且',
   checkUnits: '{0}请检查单位。',
   unitsMayBe: '{0}也可能是{1}（{2}），因为{3}。',
   unitsWouldBe: '{0}以{1}为单位则为 {2}。',
