@@ -1,22 +1,14 @@
 // Languages and inches: what people read is in the language and the unit of lengths that they have chosen, and both choices are kept.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
 import { test } from 'node:test';
-import { transformSync } from 'esbuild';
-import { circle, dxf, polygon, square } from '../package/support.mjs';
+import { wordsOf } from '../package/page-words.mjs';
+import { circle, dxf, polygon, square, unitless } from '../package/support.mjs';
 import { sample } from './page-drawings.mjs';
 import { shot } from './page-pictures.mjs';
 import { download, drop, openEverything, openPage, phase, planned, replanned, until } from './page-support.mjs';
 
-const WORDS = join(import.meta.dirname, '..', '..', 'www', 'app', 'core', 'words');
 const LANGUAGES = ['de', 'es', 'zh', 'ja'];
-
-async function wordsOf(language) {
-  const { code } = transformSync(readFileSync(join(WORDS, `${language}.ts`), 'utf8'), { loader: 'ts', format: 'esm' });
-  return (await import(`data:text/javascript;base64,${Buffer.from(code).toString('base64')}`))[language];
-}
 
 /** Texts that are not functions, with their places. */
 const texts = (value, at = '') => (typeof value === 'string' ? [[at, value]] : value !== null && typeof value === 'object' ? Object.entries(value).flatMap(([key, inner]) => texts(inner, `${at}.${key}`)) : []);
@@ -160,4 +152,21 @@ test('in German, a border is asked about in German, and numbers of the bed, the 
   await page.locator('.calibrated').getByText('off.dxf').waitFor();
   const cells = (await page.locator('.calibrated td').allTextContents()).filter((text) => /\d[.,]\d/.test(text));
   assert.ok(cells.length > 2 && cells.every((text) => !/\d\.\d/.test(text)), cells.join('; '));
+});
+
+test('in German and in inches, why a drawing has its unit is said in German, with its size in inches', async (t) => {
+  const chosen = () => {
+    localStorage.setItem('kerfway.language', 'de');
+    localStorage.setItem('kerfway.lengths', 'in');
+  };
+  const { page } = await openPage(t, { hash: 'seconds=0.4', prepare: chosen });
+  await phase(page, 'planning', 'done');
+  await drop(page, 'plate.dxf', Buffer.from(unitless(polygon([[0, 0], [37, 0], [37, 20], [0, 20]]))));
+  await planned(page, 'plate.dxf', 'question');
+  const reason = 'Die Datei nennt keine Einheit: Angenommen sind Millimeter (1,46 in), denn die meisten Schneidzeichnungen sind in Millimetern.';
+  assert.equal(await page.locator('.card.question p').first().textContent(), reason);
+  await shot(page, 'units-german-inches');
+  await page.locator('.card.question button').first().click();
+  await planned(page, 'plate.dxf', 'done');
+  assert.equal(await page.locator('.top .source').locator('..').getAttribute('title'), 'Gewählt: Millimeter.');
 });

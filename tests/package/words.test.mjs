@@ -4,11 +4,9 @@ import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { it } from 'node:test';
-import { buildSync } from 'esbuild';
 import { createPlanner, ENGLISH_REPORT } from 'kerfway';
+import { APP, bundled, WORDS, wordsOf } from './page-words.mjs';
 import { ROOT } from './support.mjs';
-
-const APP = join(ROOT, 'www', 'app');
 
 const sources = readdirSync(APP, { recursive: true })
   .map((file) => join(APP, file))
@@ -46,17 +44,8 @@ it('every entry of the word files is used', () => {
   }
 });
 
-const WORDS = join(APP, 'core', 'words');
+const SENTENCES_FILE = join(WORDS, 'sentences.ts');
 const OTHERS = readdirSync(WORDS).map((file) => file.replace('.ts', '')).filter((name) => !['en', 'index', 'sentences'].includes(name));
-
-const moduleOf = (name) => bundled(join(WORDS, `${name}.ts`));
-
-async function bundled(file) {
-  const { outputFiles: [bundle] } = buildSync({ entryPoints: [file], bundle: true, format: 'esm', write: false });
-  return import(`data:text/javascript;base64,${Buffer.from(bundle.text).toString('base64')}`);
-}
-
-const wordsOf = async (language) => (await moduleOf(language))[language];
 
 /** Every text and function of a language with its place. */
 function entries(value, at = '') {
@@ -124,7 +113,7 @@ function planner() {
 const VALUE = /\{(?:unit)?\}/g;
 
 it('the patterns of sentences are what the planner says, and every language has each of them with its values', async () => {
-  const { SENTENCES, translated } = await moduleOf('sentences');
+  const { SENTENCES, translated } = await bundled(SENTENCES_FILE);
   const source = planner();
   for (const [key, pattern] of Object.entries(SENTENCES)) {
     // What is counted, "1 place" and "3 places", is put in as one value.
@@ -163,7 +152,7 @@ function plate(size, hole, layer, ...header) {
 }
 
 it('why a drawing has its unit is said in every language, with the units of the language', async (t) => {
-  const { translated } = await moduleOf('sentences');
+  const { translated } = await bundled(SENTENCES_FILE);
   const planner = await createPlanner();
   t.after(() => planner.close());
   const inUnit = (code) => [[9, '$INSUNITS'], [70, code]];
@@ -205,7 +194,7 @@ it('in inches, every length of a sentence is in inches, in every language', asyn
   globalThis.localStorage = { getItem: () => 'in' };
   const { inChosenUnit } = await bundled(join(APP, 'core', 'lengths.ts'));
   delete globalThis.localStorage;
-  const { translated } = await moduleOf('sentences');
+  const { translated } = await bundled(SENTENCES_FILE);
   const offBed = 'The job reaches from x -12.7 to 90 and y 0 to 40 mm, beyond the bed (x 0 to 400, y 0 to 300 mm). Place it on the bed, for example with its lower left corner at that of the bed.';
   assert.equal(inChosenUnit(offBed), 'The job reaches from x -0.5 to 3.54 and y 0 to 1.57 in, beyond the bed (x 0 to 15.7, y 0 to 11.8 in). Place it on the bed, for example with its lower left corner at that of the bed.');
   assert.equal(inChosenUnit("The head starts and ends beyond the bed, at x -5, y 0 mm. Correct the machine's home or its bed."), "The head starts and ends beyond the bed, at x -0.197, y 0 in. Correct the machine's home or its bed.");
