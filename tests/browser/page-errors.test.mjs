@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { circle, dxf, polygon } from '../package/support.mjs';
 import { grid, sample } from './page-drawings.mjs';
 import { drop, openPage, phase, planned } from './page-support.mjs';
 
@@ -44,6 +45,22 @@ test('Escape closes the card of a file that cannot be used, and keeps what is se
   assert.equal(await selected.isVisible(), true);
   await page.keyboard.press('Escape');
   assert.equal(await selected.isVisible(), false);
+});
+
+test('the card of an unusable file over a question: the next key closes the card and answers nothing', async (t) => {
+  const { page } = await openPage(t, { hash: 'machine=diode-hobby&seconds=0.4&units=mm' });
+  await phase(page, 'planning', 'done');
+  const box = (x, y, w, h) => polygon([[x, y], [x + w, y], [x + w, y + h], [x, y + h]]);
+  await drop(page, 'frame.dxf', Buffer.from(dxf(box(10, 10, 310, 215), box(30, 30, 270, 175), circle(110, 110, 20))));
+  await planned(page, 'frame.dxf', 'question');
+  await drop(page, 'empty.dxf', Buffer.alloc(0));
+  const [failure, question] = [page.locator('.failure'), page.locator('.card.question')];
+  await failure.waitFor();
+  assert.equal(await question.isVisible(), false);
+  await page.keyboard.press('Enter');
+  await failure.waitFor({ state: 'hidden' });
+  assert.equal(await question.isVisible(), true);
+  assert.equal(await page.evaluate(() => document.body.dataset.phase), 'question');
 });
 
 test('a truncated file is planned as far as it goes, and the page says that it ends too early', async (t) => {

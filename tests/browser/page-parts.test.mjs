@@ -80,6 +80,13 @@ test('parts are selected by click, by box and as copies, and decided all at once
   assert.match(await card(page).textContent(), /The job begins here/);
   await page.keyboard.press('w');
   assert.match(await card(page).textContent(), /^1 part, \d+ contours/);
+  // A part comes first as a whole: that is said of its outline alone, and shown for all that is selected.
+  const first = card(page).getByRole('button', { name: 'Cut first' });
+  assert.equal(await first.getAttribute('aria-pressed'), 'false');
+  await replanned(page, () => first.click());
+  assert.equal(await first.getAttribute('aria-pressed'), 'true');
+  await replanned(page, () => first.click());
+  assert.equal(await first.getAttribute('aria-pressed'), 'false');
   await page.keyboard.press('Escape');
   await page.keyboard.press('Home');
   const like = card(page).getByRole('button', { name: /^All \d+ like this$/ });

@@ -152,6 +152,9 @@ test('in German, a border is asked about in German, and numbers of the bed, the 
   await page.locator('.calibrated').getByText('off.dxf').waitFor();
   const cells = (await page.locator('.calibrated td').allTextContents()).filter((text) => /\d[.,]\d/.test(text));
   assert.ok(cells.length > 2 && cells.every((text) => !/\d\.\d/.test(text)), cells.join('; '));
+  await page.keyboard.press('t');
+  await page.locator('.order-row').nth(1).waitFor();
+  assert.match(await page.locator('.order-row').nth(1).textContent(), /-?\d+,\d; -?\d+,\d/, 'a comma does not also separate two numbers');
 });
 
 test('in German and in inches, why a drawing has its unit is said in German, with its size in inches', async (t) => {

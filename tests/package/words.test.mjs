@@ -107,10 +107,10 @@ function planner() {
   const folder = join(ROOT, 'src');
   const files = readdirSync(folder, { recursive: true }).filter((file) => file.endsWith('.rs'));
   const joined = files.map((file) => readFileSync(join(folder, file), 'utf8')).join('\n').replace(/\\\n\s*/g, '');
-  return joined.replace(/\{[^{}"\n]*\}/g, '{}');
+  return joined.replace(/\{[^{}"\n]*\}/g, '{}').replaceAll('\\"', '"');
 }
 
-const VALUE = /\{(?:unit)?\}/g;
+const VALUE = /\{(?:unit|numbers)?\}/g;
 
 it('the patterns of sentences are what the planner says, and every language has each of them with its values', async () => {
   const { SENTENCES, translated } = await bundled(SENTENCES_FILE);

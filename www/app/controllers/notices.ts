@@ -46,6 +46,8 @@ export class Notices {
     const { file, sentence } = refused;
     const stays = loaded === null ? [] : [h('p', { class: 'soft' }, words.page.stays), button(words.page.close, { class: 'primary', onclick: close })];
     this.failure.replaceChildren(h('h2', {}, icon('error'), file), h('p', {}, sentence), ...stays);
+    // A question beneath the card is hidden, and the next key must not answer it.
+    this.failure.querySelector('button')?.focus({ preventScroll: true });
   }
 }
 

@@ -89,6 +89,11 @@ export function coordinate(mm: number): string {
   return fixed(mm / factor, unit === 'mm' ? 1 : 2);
 }
 
+/** Coordinates side by side: "6.0, 0.8", and "6,0; 0,8" where a comma comes before decimals. */
+export function place(x: number, y: number): string {
+  return `${coordinate(x)}${POINT === ',' ? ';' : ','} ${coordinate(y)}`;
+}
+
 /** "1000 × 500 mm"; from 10 m on in metres. */
 export function extent(width: number, height: number): string {
   const { unit } = shownIn('mm');

@@ -3,7 +3,7 @@
 import { count, POINT } from './format.js';
 import { inChosenUnit, lengthsIn } from './lengths.js';
 import { language, translated, words } from './words/index.js';
-import { type DoneReason, type Finding, isKerfwayError, type KerfwayError, type MachineProfile, type Operation, type Unit, type UnitsTaken } from 'kerfway';
+import { type ConfidenceReason, type DoneReason, type Finding, isKerfwayError, type KerfwayError, type MachineProfile, type Operation, type Unit, type UnitsTaken } from 'kerfway';
 
 /** Millimetres in a unit. */
 export const UNIT_SIZES: Record<Unit, number> = {
@@ -30,8 +30,10 @@ export function messageOf(error: unknown): string {
   return message || words.page.somethingElse;
 }
 
-/** The planner's own sentence in English; in other languages that of its code, with the planner's behind it unless its values say it all. */
+/** The planner's own sentence; where the language has none, that of its code, with the planner's behind it unless its values say it all. */
 function ofCode({ code, message, params }: KerfwayError): string {
+  const translation = inOwnWords(message);
+  if (translation !== null) return translation;
   const own = inChosenUnit(message);
   const say = Object.entries(words.errors ?? {}).find(([known]) => known === code)?.[1];
   if (say === undefined) return own;
@@ -47,6 +49,11 @@ export function sentenceOf({ code, message, count: n }: Finding): { text: string
 
 /** Why the planner takes the drawing's unit. */
 export const reasonOf = ({ reason }: UnitsTaken): string => inOwnWords(reason) ?? inChosenUnit(reason);
+
+/** Why the figures of a quote are not sure. */
+export function doubtOf({ message, finding, count: n }: ConfidenceReason): string {
+  return inOwnWords(message) ?? (finding === null ? inChosenUnit(message) : `${words.findingTitles[finding](n, count(n))}.`);
+}
 
 /** A sentence of the planner about a drawing in the language of the page; null where that has none. */
 function inOwnWords(message: string): string | null {

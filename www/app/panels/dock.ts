@@ -87,7 +87,8 @@ export function headline(state: State): string {
 function detailOf(state: State): string {
   const { phase, progress } = state;
   if (!progress || (phase !== 'planning' && phase !== 'paused' && phase !== 'done')) return '';
-  const bound = progress.summary.gap === null || isOptimal(state) ? null : words.dock.gap(seconds(progress.summary.total_time - progress.summary.lower_bound));
+  const left = seconds(progress.summary.total_time - progress.summary.lower_bound);
+  const bound = progress.summary.gap === null || isOptimal(state) || left === seconds(0) ? null : words.dock.gap(left);
   const refused = isOffBed(state) ? words.dock.offBed : failsCheck(state) ? words.dock.fails : null;
   // Why there is no G-code comes first, and leaves no room for more than the gain.
   const pace = refused !== null || progress.moves === 0 ? null : phase === 'planning' ? words.dock.pace(short(Math.round(progress.rate))) : words.dock.moves(short(progress.moves));

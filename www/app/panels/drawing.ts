@@ -27,7 +27,7 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
   const counts = h('p', { class: 'soft' });
   const findings = new FindingList(onFinding, (finding) => findingActions(session, finding));
   const pins = new Pins(session, onContour);
-  const kept = h('p', { class: 'soft kept', hidden: true }, words.page.kept, button(words.page.forget, { class: 'quiet small', onclick: forget }));
+  const kept = h('p', { class: 'soft kept', hidden: true }, words.page.kept, ' ', button(words.page.forget, { class: 'quiet small', onclick: forget }));
   const tolerances = laterDetails(words.drawing.tolerances, async () => (await import('./tolerances.js')).tolerances(session, preview), (sentence) => session.store.notify(sentence));
   const content = h('div', { class: 'stack' }, counts, copies, layers, pins.root, findings.root, tolerances, kept);
   const empty = h('p', { class: 'soft' }, words.drawing.none);

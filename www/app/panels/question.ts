@@ -83,7 +83,7 @@ function damaged(session: Session, loaded: Loaded): HTMLElement[] {
   const number = loaded.findings.filter((f) => f.code === 'damaged-entity').reduce((n, f) => n + f.count, 0);
   return [
     h('h2', { id: 'question' }, words.question.damaged(number, count(number))),
-    h('p', {}, words.question.about),
+    h('p', {}, words.question.about(number)),
     h('div', { class: 'choices' },
       button(words.question.skip, { class: 'primary', onclick: () => session.drawing.answer('damaged') }),
       button(words.question.keep, { onclick: () => session.drawing.answer('damaged', { keepDamaged: true }) })),

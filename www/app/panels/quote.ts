@@ -7,7 +7,7 @@ import { button, h } from '../core/dom.js';
 import { save } from '../core/files.js';
 import { area, count, fixed, metres } from '../core/format.js';
 import { shownIn, typed } from '../core/lengths.js';
-import { downloadName, messageOf } from '../core/strings.js';
+import { doubtOf, downloadName, messageOf } from '../core/strings.js';
 import type { Material, Quote } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { field, type Section } from './section.js';
@@ -29,7 +29,7 @@ export function quoteContent(session: Session, { root, setGist }: Section, notif
 
   const show = () => {
     rows.replaceChildren(...(report === null ? [] : facts(report)).flatMap(([term, value]) => [h('dt', {}, term), h('dd', { class: 'number' }, value)]));
-    note.textContent = report === null ? words.quote.none : [words.quote.confidence[report.confidence.level], ...report.confidence.reasons.map((r) => r.message)].join(' ');
+    note.textContent = report === null ? words.quote.none : [words.quote.confidence[report.confidence.level], ...report.confidence.reasons.map(doubtOf)].join(' ');
     download.hidden = report === null;
     setGist(report === null ? '' : words.drawing.parts(report.part_count, count(report.part_count)));
   };

@@ -1,7 +1,7 @@
 /** The result: the seconds saved, the orders compared, the chart, what the job time consists of, downloads. */
 
 import { button, disable, h, setText } from '../core/dom.js';
-import { count, metres, millimetres, percent, seconds } from '../core/format.js';
+import { count, metres, millimetres, percent, seconds, unbroken } from '../core/format.js';
 import { type OutputKind, PROVEN, type Summary } from 'kerfway';
 import type { Alternatives } from '../session/alternatives.js';
 import type { Session } from '../session/session.js';
@@ -75,7 +75,7 @@ export function resultPanel(session: Session, theme: Theme, { download, saveProj
       const gain = usual.total_time - now.total_time;
       const more = before.total_time - now.total_time;
       setText(saved, gain >= 0 ? words.result.saved(seconds(gain)) : words.result.longer(seconds(-gain)));
-      setText(of, words.result.of(percent(Math.abs(gain) / usual.total_time), more >= 0 ? words.result.less(seconds(more)) : words.result.more(seconds(-more))));
+      setText(of, unbroken(words.result.of(percent(Math.abs(gain) / usual.total_time), more >= 0 ? words.result.less(seconds(more)) : words.result.more(seconds(-more)))));
     }
     const longest = Math.max(before?.total_time ?? 0, state.baselines?.greedy.total_time ?? 0, now.total_time);
     rows[0]!.show(before, longest);

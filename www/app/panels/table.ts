@@ -4,7 +4,7 @@
  */
 
 import { button, h } from '../core/dom.js';
-import { clock, coordinate, count, millimetres } from '../core/format.js';
+import { clock, count, millimetres, place } from '../core/format.js';
 import { shownIn } from '../core/lengths.js';
 import { cutLength } from '../stage/shapes.js';
 import type { Session } from '../session/session.js';
@@ -123,7 +123,7 @@ export class OrderTable {
       h('span', { role: 'cell' }, h('button', { type: 'button', class: 'row-button number', 'aria-label': words.table.show(stop + 1), onclick: () => this.actions.select(contour) }, count(stop + 1))),
       h('span', { role: 'cell' }, this.drag.handle(words.table.move(stop + 1), stop)),
       cell(info?.layer ?? ''), cell(info ? millimetres(cutLength(path, stop, info.length)) : '', 'number'), cell(clock(this.playback.begin(stop)), 'number'),
-      cell(`${coordinate(path.points[stop * 4]!)}, ${coordinate(path.points[stop * 4 + 1]!)}`, 'number'),
+      cell(place(path.points[stop * 4]!, path.points[stop * 4 + 1]!), 'number'),
       cell(info?.closed ? (path.reversed[stop] ? words.table.reversed : words.table.asDrawn) : words.table.open));
     row.style.transform = `translateY(${stop * ROW}px)`;
     return row;

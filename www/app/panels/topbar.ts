@@ -61,7 +61,7 @@ export function topBar(session: Session, queue: Queue, theme: Theme, actions: To
     units.hidden = measure.hidden = loaded === null;
     if (!loaded) return;
     const { unit, dpi, source, doubtful } = loaded.units;
-    units.replaceChildren(h('span', { class: 'hidden' }, words.top.unitsAre), h('span', {}, dpi === null ? unit : words.top.resolution(dpi)), h('span', { class: 'soft source' }, words.unitSources[source]), icon('down'));
+    units.replaceChildren(h('span', { class: 'hidden' }, words.top.unitsAre), h('span', {}, dpi === null ? unit : words.top.resolution(dpi)), h('span', { class: source === 'guessed' ? 'soft source guessed' : 'soft source' }, words.unitSources[source]), icon('down'));
     units.title = reasonOf(loaded.units);
     units.classList.toggle('doubtful', doubtful);
     setText(measure, extent(x1 - x0, y1 - y0));

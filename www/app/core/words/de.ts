@@ -88,7 +88,7 @@ export const de: Words = {
     'unknown-contour': (v) => `Eine Kontur ${v('contour')} gibt es nicht: die Zeichnung hat ${v('count')}.`,
     'unfit-path': () => 'Der gespeicherte Plan passt nicht mehr zu dieser Zeichnung.',
     'not-bytes': () => 'Die Zeichnung kann nicht gelesen werden.',
-    'not-a-drawing': () => 'Diese Datei ist keine lesbare Zeichnung. Speichern Sie sie als DXF (ab R2000, ASCII) oder SVG.',
+    'not-a-drawing': () => 'Diese Datei ist keine lesbare Zeichnung. Speichern Sie sie als DXF oder SVG.',
     'empty-drawing': () => 'In dieser Datei gibt es nichts, was geschnitten werden kann.',
     'too-large': () => 'Diese Datei ist zu groß.',
     'nothing-to-cut': () => 'Es gibt nichts zu schneiden.',
@@ -234,9 +234,9 @@ export const de: Words = {
   },
 
   question: {
-    size: 'Wie groß ist diese Zeichnung?', in: (unit) => `in ${unit}`, dpi: (dpi) => `in Pixeln, ${dpi} pro Zoll`,
+    size: 'Wie groß ist diese Zeichnung?', in: (unit) => `als ${unit}`, dpi: (dpi) => `in Pixeln, ${dpi} pro Zoll`,
     damaged: (n, w) => `${counted(n, w, 'Element', 'Elemente')} in dieser Datei ${n === 1 ? 'ist' : 'sind'} beschädigt`,
-    about: 'Sie liegen neben einer beschädigten Stelle der Datei, ihre Form kann falsch sein. Überspringen Sie sie, oder behalten und prüfen Sie jedes.',
+    about: (n) => (n === 1 ? 'Es liegt neben einer beschädigten Stelle der Datei, seine Form kann falsch sein. Überspringen Sie es, oder behalten und prüfen Sie es.' : 'Sie liegen neben einer beschädigten Stelle der Datei, ihre Form kann falsch sein. Überspringen Sie sie, oder behalten und prüfen Sie jedes.'),
     skip: 'Überspringen', keep: 'Behalten',
     border: 'Wird das Rechteck um alles geschnitten?', ignoreBorder: 'Nein, es ist die Tafel: ignorieren', keepBorder: 'Ja, schneiden',
   },
@@ -384,7 +384,7 @@ export const de: Words = {
 
   quote: {
     title: 'Angebot', notGiven: 'nicht angegeben', download: 'Den Bericht herunterladen', thickness: 'Dicke', density: 'Dichte', none: 'Das Angebot erscheint hier, wenn der Plan fertig ist.',
-    confidence: { high: 'Hohe Sicherheit.', medium: 'Mittlere Sicherheit.', low: 'Geringe Sicherheit.' }, parts: 'Teile', different: (n, kinds) => `${n}, ${kinds} verschiedene`, area: 'Fläche der Teile', weight: 'Gewicht',
+    confidence: { high: 'Sehr verlässlich.', medium: 'Mäßig verlässlich.', low: 'Wenig verlässlich.' }, parts: 'Teile', different: (n, kinds) => `${n}, ${kinds} verschiedene`, area: 'Fläche der Teile', weight: 'Gewicht',
     hole: 'Engstes Loch', web: 'Schmalster Steg', against: (ratio) => ` · ${ratio} × Dicke`,
     part: (length, holes, w) => `${length} zu schneiden, ${counted(holes, w, 'Loch', 'Löcher')}`, and: 'Und', others: (n) => `${n} weitere Arten von Teilen`,
   },

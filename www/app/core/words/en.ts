@@ -233,7 +233,7 @@ export const en = {
   question: {
     size: 'How large is this drawing?', in: (unit: string) => `in ${unit}`, dpi: (dpi: number) => `in pixels, ${dpi} to the inch`,
     damaged: (n: number, written: string) => `${counted(n, written, 'entity', 'entities')} in this file ${n === 1 ? 'is' : 'are'} damaged`,
-    about: 'They are next to a damaged place in the file, so their shape may be wrong. Skip them, or keep them and check each one.',
+    about: (n: number): string => (n === 1 ? 'It is next to a damaged place in the file, so its shape may be wrong. Skip it, or keep and check it.' : 'They are next to a damaged place in the file, so their shape may be wrong. Skip them, or keep them and check each one.'),
     skip: 'Skip them', keep: 'Keep them',
     border: 'Is the rectangle around everything a cut?', ignoreBorder: 'No, it is the sheet: ignore it', keepBorder: 'Yes, cut it',
   },

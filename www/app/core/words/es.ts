@@ -88,7 +88,7 @@ export const es: Words = {
     'unknown-contour': (v) => `No hay ningún contorno ${v('contour')}: el dibujo tiene ${v('count')}.`,
     'unfit-path': () => 'El plan guardado ya no corresponde a este dibujo.',
     'not-bytes': () => 'El dibujo no se puede leer.',
-    'not-a-drawing': () => 'Este archivo no es un dibujo que se pueda leer. Guárdelo como DXF (R2000 o posterior, ASCII) o SVG.',
+    'not-a-drawing': () => 'Este archivo no es un dibujo que se pueda leer. Guárdelo como DXF o SVG.',
     'empty-drawing': () => 'En este archivo no hay nada que se pueda cortar.',
     'too-large': () => 'Este archivo es demasiado grande.',
     'nothing-to-cut': () => 'No hay nada que cortar.',
@@ -113,7 +113,7 @@ export const es: Words = {
     mm: 'milímetros', cm: 'centímetros', m: 'metros', dm: 'decímetros', um: 'micrómetros',
     in: 'pulgadas', ft: 'pies', yd: 'yardas', mil: 'milésimas de pulgada', microinch: 'micropulgadas', px: 'píxeles',
   },
-  unitSources: { header: 'del archivo', guessed: 'supuestas', given: 'elegidas por usted' },
+  unitSources: { header: 'del archivo', guessed: 'por suposición', given: 'por elección suya' },
   operations: { cut: 'Cortar', mark: 'Marcar', ignore: 'Ignorar' },
   samples: {
     'sheet_500.dxf': ['Chapa, 500 contornos', 'Una chapa completa con piezas dentro de piezas'],
@@ -236,7 +236,7 @@ export const es: Words = {
   question: {
     size: '¿Qué tamaño tiene este dibujo?', in: (unit) => `en ${unit}`, dpi: (dpi) => `en píxeles, ${dpi} por pulgada`,
     damaged: (n, w) => `${counted(n, w, 'entidad', 'entidades')} de este archivo ${n === 1 ? 'está dañada' : 'están dañadas'}`,
-    about: 'Están junto a un lugar dañado del archivo, así que su forma puede ser errónea. Omítalas, o consérvelas y compruebe cada una.',
+    about: (n) => (n === 1 ? 'Está junto a un lugar dañado del archivo, así que su forma puede ser errónea. Omítala, o consérvela y compruébela.' : 'Están junto a un lugar dañado del archivo, así que su forma puede ser errónea. Omítalas, o consérvelas y compruebe cada una.'),
     skip: 'Omitirlas', keep: 'Conservarlas',
     border: '¿El rectángulo que rodea todo se corta?', ignoreBorder: 'No, es la chapa: ignorarlo', keepBorder: 'Sí, cortarlo',
   },

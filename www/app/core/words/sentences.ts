@@ -1,6 +1,6 @@
 /**
  * The planner's sentences about a drawing, which it writes in English, as patterns for the other languages: `{}` stands for a value, `{unit}` for the
- * name of a unit. A value that is such a sentence or phrase itself is translated as well, so an outer sentence comes before those it may hold. A sentence without a
+ * name of a unit, `{numbers}` for numbers without one. A value that is such a sentence or phrase itself is translated as well, so an outer sentence comes before those it may hold. A sentence without a
  * pattern is shown as it is, beneath the title of its code.
  *
  * `tests/package/words.test.mjs` compares the patterns with the sources of the planner.
@@ -32,10 +32,10 @@ export const SENTENCES = {
   mostlyMm: 'most cutting drawings are in millimetres',
   usualInMm: 'only in millimetres the size is usual',
   usualInInches: 'only in inches the size is usual',
-  drills: 'holes of {} are drill sizes in inches',
+  drills: 'holes of {numbers} are drill sizes in inches',
   holesTooSmall: 'its holes would be too small in millimetres',
   holesRoundIfInches: 'its holes are round in millimetres only if it is in inches',
-  holesInMm: 'holes of {} are usual in millimetres',
+  holesInMm: 'holes of {numbers} are usual in millimetres',
   drillsIfMm: 'its holes are drill sizes in inches only if it is in millimetres',
   layerCalled: 'a layer is called {}',
   fitsSheet: 'it fits the sheet of layer {}',
@@ -88,7 +88,12 @@ export const SENTENCES = {
   adviceNotes: 'dimensions and notes are not cut',
   advicePoint: 'a point has no length to cut',
   adviceExplode: 'explode it into lines in the drawing program if it is to be cut',
+  nothingWritten: '{} Nothing was written: a program that leaves the bed has to be allowed.',
   offBed: 'The job reaches from x {} to {} and y {} to {} mm, beyond the bed (x {} to {}, y {} to {} mm). Place it on the bed, for example with its lower left corner at that of the bed.',
+  endsBefore: 'The file ends before anything to cut: it was probably not copied whole. Save or download it again.',
+  emptyFile: 'The file is empty. Save the drawing again as DXF or SVG.',
+  emptyDrawing: 'The drawing holds nothing to cut. Check that the outlines were exported.',
+  emptySvg: 'The SVG holds nothing to cut. Check that the outlines were exported.',
   endsEarly: 'The file ends without its end mark: it may not have been copied whole. Check that nothing is missing.',
   endsInside: 'The file ends in the middle: it was probably not copied whole. What comes after is missing.',
   asOne: '{} contours share cuts and are cut as one, with 1 piercing instead of {}: {} m are cut once instead of twice.',
@@ -101,6 +106,11 @@ export const SENTENCES = {
   leadLine: 'Contour {} has a line of {} mm as its lead-in, because the wanted arc does not fit.',
   jointsFewer: 'Contour {} has {} of {} micro-joints: there is no room for more. Allow narrower joints or less distance from corners.',
   jointMoved: 'A micro-joint of contour {} was moved by {} mm, because it was in a corner or too near to another cut.',
+  noSetting: 'The machine has no setting for {}: its times are those of "{}".',
+  unitInDoubt: 'The unit is in doubt. {}',
+  unitNotSaid: 'The file does not say its units; they were guessed from what it shows.',
+  openCut: '1 contour that is cut is open: it encloses no part.',
+  openCuts: '{} contours that are cut are open: they enclose no part.',
   jointLeftOut: 'A micro-joint of contour {} was left out: it is in a corner, at another micro-joint or at another cut. Place it elsewhere.',
 } as const;
 
@@ -115,7 +125,7 @@ const UNITS: Record<string, Unit> = {
 
 /** Characters that mean something in a regular expression. */
 const SPECIAL = /[.*+?^$()|[\]\\]/g;
-const VALUE = /\{(?:unit)?\}/g;
+const VALUE = /\{(?:unit|numbers)?\}/g;
 
 const PATTERNS = Object.entries(SENTENCES).map(([key, pattern]) => ({
   key: key as keyof typeof SENTENCES,
@@ -124,23 +134,24 @@ const PATTERNS = Object.entries(SENTENCES).map(([key, pattern]) => ({
 }));
 
 /** What a language has for the planner's sentences. */
-type Own = Pick<Words, 'sentences' | 'unitNames'>;
+type Own = Pick<Words, 'sentences' | 'unitNames' | 'numbers'>;
 
 /** A sentence of the planner in a language; null where there is none. */
 export function translated(own: Own, sentence: string): string | null {
   for (const { key, matches, values } of PATTERNS) {
     const found = matches.exec(sentence);
     if (found === null) continue;
-    const inOwn = values.map((kind, k) => (kind === '{unit}' ? unit : phrases)(own, found[k + 1] ?? ''));
+    const inOwn = values.map((kind, k) => (KINDS[kind] ?? phrases)(own, found[k + 1] ?? ''));
     return own.sentences[key].replace(/\{(\d)\}/g, (_all, k: string) => inOwn[Number(k)] ?? '');
   }
   return null;
 }
 
-function unit(own: Own, name: string): string {
-  const known = UNITS[name];
-  return known === undefined ? name : own.unitNames[known];
-}
+/** How values that are no sentences are said. */
+const KINDS: Record<string, (own: Own, value: string) => string> = {
+  '{unit}': ({ unitNames }, name) => unitNames[UNITS[name]!] ?? name,
+  '{numbers}': ({ numbers: { locale } }, list) => list.split(', ').map((n) => (Number.isFinite(Number(n)) ? Number(n).toLocaleString(locale, { maximumFractionDigits: 3 }) : n)).join('; '),
+};
 
 /** A value of a sentence: phrases of the planner, which it joins by "and", or a sentence, in the language; anything else as it is. */
 function phrases(own: Own, value: string): string {

@@ -85,7 +85,7 @@ export const zh: Words = {
     'unknown-contour': (v) => `没有轮廓 ${v('contour')}：图中共有 ${v('count')} 个。`,
     'unfit-path': () => '保存的方案不再适合这张图。',
     'not-bytes': () => '无法读取该图。',
-    'not-a-drawing': () => '这个文件不是可读取的图。请另存为 DXF（R2000 或更高，ASCII）或 SVG。',
+    'not-a-drawing': () => '这个文件不是可读取的图。请另存为 DXF或 SVG。',
     'empty-drawing': () => '这个文件里没有可切割的内容。',
     'too-large': () => '这个文件太大。',
     'nothing-to-cut': () => '没有可切割的内容。',
@@ -233,7 +233,7 @@ export const zh: Words = {
   question: {
     size: '这张图有多大？', in: (unit) => `以${unit}为单位`, dpi: (dpi) => `以像素为单位，每英寸 ${dpi}`,
     damaged: (_n, w) => `此文件中有 ${w} 个图元损坏`,
-    about: '它们位于文件的损坏处旁边，形状可能有误。请跳过它们，或保留并逐个检查。',
+    about: () => '它们位于文件的损坏处旁边，形状可能有误。请跳过它们，或保留并逐个检查。',
     skip: '跳过', keep: '保留',
     border: '最外面的矩形要切割吗？', ignoreBorder: '不，它是板材：忽略', keepBorder: '是，切割',
   },
