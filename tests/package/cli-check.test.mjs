@@ -4,7 +4,8 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { it } from 'node:test';
-import { circle, dxf, folder, kerfway, square } from './support.mjs';
+import { createPlanner } from 'kerfway';
+import { circle, dxf, fixture, folder, kerfway, square } from './support.mjs';
 
 const PLAN = ['--moves', '0', '--seed', '1', '--quiet'];
 
@@ -81,4 +82,53 @@ it('nothing is written for a dialect that cannot do what the plan asks', async (
   assert.equal(code, 1);
   assert.match(stderr, /Mach4 \(dialect "mach4-m67"\) switches the beam off with the next motion only/);
   assert.equal(existsSync(at('plate.nc')), false);
+});
+
+it('a head that is lifted for air moves stays down over micro-joints, and the check counts so', async (t) => {
+  const at = workshop(t);
+  const lifted = ['--lift', '10', '--z-speed', '10', '--joints', '2', '--gcode', at('lifted.nc'), ...PLAN];
+  const { code, stderr } = await kerfway('plan', fixture('plate/one-kerf-apart.dxf'), ...lifted);
+  assert.equal(code, 0, stderr);
+  assert.equal((await kerfway('check', at('lifted.nc'))).code, 0);
+});
+
+it('marks are timed with their own acceleration', async (t) => {
+  const at = workshop(t);
+  const planner = await createPlanner();
+  t.after(() => planner.close());
+  const machine = planner.machines.find((m) => m.name === 'co2-100w');
+  writeFileSync(at('slow.json'), JSON.stringify({ ...machine, mark: { ...machine.mark, accel: 100 } }));
+  writeFileSync(at('marks.dxf'), dxf(...Array.from({ length: 40 }, (_, k) => square(10 + 8 * k, 10, 5, 'MARK'))));
+  const { code, stderr } = await kerfway('plan', at('marks.dxf'), '--layer', 'MARK=mark', '--machine', at('slow.json'), '--gcode', at('marks.nc'), ...PLAN);
+  assert.equal(code, 0, stderr);
+});
+
+it('what follows the end of a program, and a head that is moved up or down with the beam on, fail', async (t) => {
+  const at = workshop(t);
+  assert.equal((await kerfway('plan', at('plate.dxf'), '--gcode', at('plate.ngc'), '--dialect', 'linuxcnc-m67', ...PLAN)).code, 0);
+  const lines = readFileSync(at('plate.ngc'), 'utf8').split('\n');
+  const first = lines.findIndex((line) => /^G[123] X/.test(line));
+  for (const [name, more, wanted] of [
+    ['ended.ngc', 'M2', new RegExp(`Line ${first + 3} comes after the end of the program in line ${first + 2}`)],
+    ['deep.ngc', 'G1 Z-20', /to another height with the beam on/],
+  ]) {
+    writeFileSync(at(name), [...lines.slice(0, first + 1), more, ...lines.slice(first + 1)].join('\n'));
+    const { code, stderr } = await kerfway('check', at(name), '--dialect', 'linuxcnc-m67');
+    assert.equal(code, 1);
+    assert.match(stderr, wanted);
+  }
+});
+
+it('where rapids have a feed, the head is lifted with the speed of its axis', async (t) => {
+  const at = workshop(t);
+  const { code, stderr } = await kerfway('plan', at('plate.dxf'), '--dialect', 'marlin-fan', '--lift', '5', '--lift-at-rest', '--z-speed', '10', '--gcode', at('plate.gcode'), ...PLAN);
+  assert.equal(code, 0, stderr);
+  let feed = null;
+  const feeds = { z: new Set(), xy: new Set() };
+  for (const line of readFileSync(at('plate.gcode'), 'utf8').split('\n').filter((line) => /^G[0123] /.test(line))) {
+    feed = / F(\S+)/.exec(line)?.[1] ?? feed;
+    if (/^G0 Z/.test(line)) feeds.z.add(feed);
+    else if (line.startsWith('G0 ')) feeds.xy.add(feed);
+  }
+  assert.deepEqual({ z: [...feeds.z], xy: [...feeds.xy] }, { z: ['600'], xy: ['24000'] });
 });

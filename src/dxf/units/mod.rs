@@ -142,7 +142,8 @@ fn extent(unit: Unit, size: f64) -> String {
     } else if mm >= 10_000.0 {
         format!("{:.1} m", mm / 1000.0)
     } else if mm >= 100.0 {
-        format!("{mm:.0} mm")
+        // A tenth, so that whole inches remain such when it is converted.
+        format!("{} mm", fixed(mm, 1))
     } else {
         format!("{} mm", fixed(mm, 3))
     }

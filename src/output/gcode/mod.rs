@@ -118,7 +118,7 @@ struct Writer<'d> {
 impl<'d> Writer<'d> {
     fn new(profile: &'d Profile, dialect: &'d Dialect, start: Start) -> Self {
         let rapid = profile.rapid.speed[0].max(profile.rapid.speed[1]);
-        Self { profile, dialect, pen: Pen::new(dialect, profile.home(), profile.max_s, rapid, start) }
+        Self { profile, dialect, pen: Pen::new(dialect, profile, rapid, start) }
     }
 
     /// Refuses what the dialect cannot do.

@@ -18,7 +18,7 @@ use super::grbl_arc;
 use super::text::Lines;
 use crate::geometry::{Arc, DVec2, Segment, arcs};
 use crate::machine::dialect::{Dialect, Pierce, PierceBy, PowerBy};
-use crate::machine::{Lift, Start};
+use crate::machine::{Lift, Profile, Start};
 use crate::number::{Fixed, fixed, power_of_ten};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -43,8 +43,9 @@ pub(super) struct Pen<'d> {
     grid: f64,
     /// Power value at full power.
     full: f64,
-    /// Feed of rapids in units of the file a minute, if the dialect writes it.
+    /// Feeds of rapids and of moves of the height alone in units of the file a minute, if the dialect writes them.
     rapid_feed: Option<String>,
+    z_feed: Option<String>,
     /// Rounded position of the head, in units of the file.
     at: DVec2,
     /// Feed for the next cuts, and the F word in force.
@@ -60,9 +61,8 @@ pub(super) struct Pen<'d> {
 }
 
 impl<'d> Pen<'d> {
-    /// Starts at `home` (mm) with the beam off and an empty program. `full` is the machine's power value at full power,
-    /// `rapid` its speed of rapids in mm/s.
-    pub(super) fn new(dialect: &'d Dialect, home: DVec2, full: f64, rapid: f64, start: Start) -> Self {
+    /// Starts at the machine's home with the beam off and an empty program. `rapid`: speed of rapids, mm/s.
+    pub(super) fn new(dialect: &'d Dialect, machine: &Profile, rapid: f64, start: Start) -> Self {
         let dark = || "0".to_owned();
         let mut pen = Self {
             dialect,
@@ -70,8 +70,9 @@ impl<'d> Pen<'d> {
             beam: Beam::new(dialect),
             lines: Lines::new(dialect),
             grid: power_of_ten(dialect.decimals.xy),
-            full: dialect.power.full.unwrap_or(full),
+            full: dialect.power.full.unwrap_or(machine.max_s),
             rapid_feed: None,
+            z_feed: None,
             at: DVec2::ZERO,
             feed: String::new(),
             feed_in_force: String::new(),
@@ -81,8 +82,11 @@ impl<'d> Pen<'d> {
             z: 0.0,
             air: false,
         };
-        pen.at = pen.rounded(home);
-        pen.rapid_feed = dialect.rapid_feed.then(|| pen.feed_word(rapid));
+        pen.at = pen.rounded(machine.home());
+        if dialect.rapid_feed {
+            pen.rapid_feed = Some(pen.feed_word(rapid));
+            pen.z_feed = machine.z_speed.map(|speed| pen.feed_word(speed));
+        }
         pen
     }
 
@@ -168,7 +172,7 @@ impl<'d> Pen<'d> {
         }
         let height = z.map(|z| self.z_word(z)).unwrap_or_default();
         let mut line = match moves {
-            true if self.same(self.at, to) => format!("G0{height}"),
+            true if self.same(self.at, to) => self.with_feed(format!("G0{height}"), self.z_feed.clone()),
             true => self.rapid_line(to, &height),
             false => String::new(),
         };
@@ -338,12 +342,14 @@ impl<'d> Pen<'d> {
     }
 
     fn rapid_line(&mut self, to: DVec2, height: &str) -> String {
-        let mut line = format!("G0{}{height}", self.xy_words(to));
-        if let Some(feed) = &self.rapid_feed
-            && *feed != self.feed_in_force
-        {
+        self.with_feed(format!("G0{}{height}", self.xy_words(to)), self.rapid_feed.clone())
+    }
+
+    /// A rapid with its feed, if the dialect writes it and another one is in force.
+    fn with_feed(&mut self, mut line: String, feed: Option<String>) -> String {
+        if let Some(feed) = feed.filter(|feed| *feed != self.feed_in_force) {
             let _ = write!(line, " F{feed}");
-            self.feed_in_force.clone_from(feed);
+            self.feed_in_force = feed;
         }
         line
     }

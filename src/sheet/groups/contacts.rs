@@ -136,7 +136,8 @@ pub(super) fn join(contours: &[Contour], set: &mut Set, limit: f64) -> Option<Ve
     let mut paths = Vec::with_capacity(set.contours.len());
     let mut alongs = Vec::with_capacity(set.breaks.len());
     for &id in &set.contours {
-        let own = set.breaks.iter().zip(&set.node).filter(|(b, _)| b.contour == id);
+        let first = set.breaks.partition_point(|b| b.contour < id);
+        let own = set.breaks.iter().zip(&set.node).skip(first).take_while(|(b, _)| b.contour == id);
         let places = own.map(|(b, &n)| Some((b.along, place[n as usize]?))).collect::<Option<Vec<_>>>();
         let path = &contours[id as usize].path;
         let (path, new) = with_vertices(path, &places?, limit)?;

@@ -20,7 +20,7 @@ pub(super) fn group(set: &Set, paths: Vec<Path>) -> Option<PierceGroup> {
     let nodes = set.node.iter().max().map_or(0, |n| *n as usize + 1);
     let mut at = vec![DVec2::ZERO; nodes];
     for (b, &n) in set.breaks.iter().zip(&set.node) {
-        let own = set.contours.iter().position(|&c| c == b.contour)?;
+        let own = set.contours.binary_search(&b.contour).ok()?;
         at[n as usize] = paths[own].at(b.along)?;
     }
     let mut elements = Vec::new();

@@ -39,7 +39,7 @@ pub struct GroupElement {
 impl PierceGroup {
     /// The path of one of its contours.
     pub fn path_of(&self, contour: u32) -> Option<&Path> {
-        self.contours.iter().position(|&c| c == contour).and_then(|k| self.paths.get(k))
+        self.contours.binary_search(&contour).ok().and_then(|k| self.paths.get(k))
     }
 
     /// Elements between two bounded faces, which are cut once for both.

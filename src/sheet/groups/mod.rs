@@ -68,7 +68,7 @@ fn lies_clear(contours: &[Contour], boxes: &BoxIndex, group: &PierceGroup) -> bo
     boxes.query(bounds).into_iter().filter_map(|c| u32::try_from(c).ok()).all(|c| {
         let contour = &contours[c as usize];
         let Some(boundary) = contour.boundary().filter(|_| contour.bounds_area()) else { return true };
-        if group.contours.contains(&c) {
+        if group.contours.binary_search(&c).is_ok() {
             return true;
         }
         let within = places.iter().filter(|p| winding(boundary, **p).is_inside()).count();
@@ -88,7 +88,7 @@ fn inside(contours: &[Contour], boxes: &BoxIndex, group: &PierceGroup) -> Vec<u3
         // The ends may lie on the outline.
         let places = [0.0, 0.5, 1.0].map(|part| path.at(part * contour.length));
         contour.operation != Operation::Ignore
-            && !group.contours.contains(c)
+            && group.contours.binary_search(c).is_err()
             && within(bounds, contour.bounds)
             && places.into_iter().flatten().any(|p| winding_number(&around, p) != 0)
     };

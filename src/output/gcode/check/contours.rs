@@ -30,7 +30,7 @@ pub(super) fn cuts(events: &[Event]) -> Vec<Cut> {
                 }
                 goes_on = true;
             }
-            Event::Move { .. } | Event::Height { .. } | Event::Contour => goes_on = false,
+            Event::Move { .. } | Event::Height { .. } | Event::Contour { .. } => goes_on = false,
             Event::Dwell { .. } => {}
         }
     }
@@ -94,6 +94,8 @@ fn simpson(s: &Segment, of: &dyn Fn(DVec2) -> f64) -> f64 {
 pub(super) fn repeats(cuts: &[Cut]) -> Vec<(u32, u32)> {
     let mut measured: Vec<(u32, [f64; 9])> = cuts.iter().map(|c| (c.line, c.measures())).collect();
     sort_by(&mut measured, |(_, m)| [real(m[0]), real(m[1]), real(m[2])]);
+    let corner = |m: &[f64; 9]| Aabb::of(DVec2::new(m[1], m[2]));
+    let index = BoxIndex::new(measured.iter().map(|(_, m)| corner(m)));
     let mut counted = vec![false; measured.len()];
     let mut groups = Vec::new();
     for k in 0..measured.len() {
@@ -101,7 +103,7 @@ pub(super) fn repeats(cuts: &[Cut]) -> Vec<(u32, u32)> {
             continue;
         }
         let (mut line, mut count) = (measured[k].0, 0);
-        for j in (k..measured.len()).take_while(|&j| measured[j].1[0] - measured[k].1[0] <= SAME) {
+        for j in index.query(corner(&measured[k].1).grown(SAME)).into_iter().filter(|&j| j >= k) {
             let same = measured[j].1.iter().zip(&measured[k].1).all(|(a, b)| (a - b).abs() <= SAME);
             if same && !counted[j] {
                 counted[j] = true;
@@ -148,13 +150,14 @@ pub(super) fn parts(cuts: &[Cut]) -> u32 {
         }
     }
     // A contour that is cut again is no second part.
-    let mut boxes: Vec<Aabb> = Vec::new();
-    closed.retain(|path| {
-        let b = path.bounds();
+    let boxes: Vec<Aabb> = closed.iter().map(Path::bounds).collect();
+    let corners = BoxIndex::new(boxes.iter().map(|b| Aabb::of(b.min)));
+    let mut all = 0..boxes.len();
+    closed.retain(|_| {
+        let Some(k) = all.next() else { return true };
+        let b = boxes[k];
         let near = |o: &Aabb| o.min.distance(b.min).max(o.max.distance(b.max)) <= SAME;
-        let known = boxes.iter().any(near);
-        boxes.push(b);
-        !known
+        !corners.query(Aabb::of(b.min).grown(SAME)).into_iter().any(|j| j < k && near(&boxes[j]))
     });
     let index = BoxIndex::new(closed.iter().map(Path::bounds));
     let mut parts = 0;

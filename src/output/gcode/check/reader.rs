@@ -27,8 +27,8 @@ pub(super) enum Event {
     Height { line: u32, power: Power, distance: f64 },
     /// Stands still.
     Dwell { line: u32, seconds: f64, power: Power },
-    /// A comment of Kerfway's says that another contour begins.
-    Contour,
+    /// A comment of Kerfway's says that another contour begins, which is cut or marked.
+    Contour { mark: bool },
 }
 
 /// A program that was followed to its end.
@@ -72,6 +72,8 @@ struct Reader<'d, 'p> {
     /// Height of the head, mm; 0 is where it cuts first.
     z: f64,
     number: u32,
+    /// The line with M2 or M30, after which the controller reads no more.
+    ended: Option<u32>,
 }
 
 /// Follows a program. What cannot be read becomes a problem, and the reading goes on.
@@ -80,7 +82,7 @@ pub(super) fn follow(text: &str, dialect: &Dialect, problems: &mut Problems) -> 
         dialect,
         beam: Beam::new(dialect),
         macros: Macros::new(dialect),
-        program: Program::default(),
+        program: Program { dark_at_end: true, ..Program::default() },
         problems,
         unit: None,
         relative: false,
@@ -90,6 +92,7 @@ pub(super) fn follow(text: &str, dialect: &Dialect, problems: &mut Problems) -> 
         at: DVec2::ZERO,
         z: 0.0,
         number: 0,
+        ended: None,
     };
     for line in text.lines() {
         reader.number = reader.number.saturating_add(1);
@@ -97,7 +100,7 @@ pub(super) fn follow(text: &str, dialect: &Dialect, problems: &mut Problems) -> 
     }
     let mut program = reader.program;
     program.lines = reader.number;
-    program.dark_at_end = reader.beam.is_off();
+    program.dark_at_end &= reader.beam.is_off();
     program
 }
 
@@ -126,8 +129,9 @@ impl Reader<'_, '_> {
             Ok(line) => line,
             Err(why) => return self.unreadable(&why),
         };
-        if line.comments.iter().any(|c| announces(c)) {
-            self.program.events.push(Event::Contour);
+        if let Some(comment) = line.comments.iter().find(|c| announces(c)) {
+            let mark = comment.contains(": mark contour ");
+            self.program.events.push(Event::Contour { mark });
         }
         self.program.comments.extend(line.comments.iter().cloned());
         if line.command.is_empty() {
@@ -188,6 +192,7 @@ impl Reader<'_, '_> {
         if let Some(feed) = line.value('F').filter(|_| !is('G', 40)) {
             self.feed = feed * unit / 60.0;
         }
+        self.follows_the_end(line);
         let set = self.beam.line(line);
         self.program.powers.extend(set.into_iter().map(|p| (self.number, p)));
         if is('G', 40) {
@@ -196,9 +201,9 @@ impl Reader<'_, '_> {
         if let Some(z) = line.value('Z') {
             let (was, from) = (self.is_lifted(), self.z);
             self.z = if self.relative { from } else { 0.0 } + z * unit;
-            if self.motion == 0 && !line.has('X') && !line.has('Y') {
+            if !line.has('X') && !line.has('Y') {
                 let distance = if was || self.is_lifted() { 0.0 } else { (self.z - from).abs() };
-                let (line, power) = (self.number, self.beam.moving(true));
+                let (line, power) = (self.number, self.beam.moving(self.motion == 0));
                 self.program.events.push(Event::Height { line, power, distance });
             }
             self.program.lifts = self.program.lifts.saturating_add(u32::from(!was && self.is_lifted()));
@@ -208,6 +213,19 @@ impl Reader<'_, '_> {
         } else if line.has('I') && line.has('J') && self.motion >= 2 {
             // A full circle without an end.
             self.moves(line, unit);
+        }
+    }
+
+    /// Whether the program has ended is known by M2 and M30; nothing that follows is run.
+    fn follows_the_end(&mut self, line: &Line) {
+        let number = self.number;
+        if let Some(end) = self.ended {
+            self.problems.error(Code::Incomplete, Some(number), || {
+                format!("Line {number} comes after the end of the program in line {end}: the controller does not run it.")
+            });
+        }
+        if line.codes('M').any(|m| m == 20 || m == 300) {
+            self.ended = self.ended.or(Some(number));
         }
     }
 

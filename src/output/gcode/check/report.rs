@@ -6,7 +6,7 @@ use super::reader::{Event, Program};
 use crate::finding::Severity;
 use crate::geometry::{Aabb, DVec2, Segment};
 use crate::machine::dialect::Dialect;
-use crate::machine::{Process, Profile, cut_time};
+use crate::machine::{Levers, Process, Profile, cut_time};
 use crate::plan::{AirMoves, Way};
 use serde::Serialize;
 
@@ -90,7 +90,7 @@ pub(super) fn figures(program: &Program, cuts: &[Cut], profile: &Profile) -> Fig
             }
             Event::Height { power, .. } => dark_rapids &= power.lit <= 0.0,
             Event::Dwell { seconds, power, .. } => pierces += u32::from(*seconds > 0.0 && power.lit > 0.0),
-            Event::Contour => {}
+            Event::Contour { .. } => {}
         }
     }
     Figures {
@@ -122,7 +122,10 @@ fn fits(reach: &Aabb, profile: &Profile) -> Option<bool> {
 
 /// Seconds of the program on the machine. Each run of the same speed is a run of the planner.
 fn seconds(program: &Program, profile: &Profile) -> f64 {
-    let air = AirMoves::new(profile);
+    // A program says itself where the head is lifted: elsewhere it stays down, however far it goes, as it does over joints.
+    let down = Profile { levers: Levers { lift: None, ..profile.levers }, ..profile.clone() };
+    let [lifted_air, down] = [profile, &down].map(AirMoves::new);
+    let mut marks = false;
     let mut total = 0.0;
     let mut run: Vec<Segment> = Vec::new();
     let mut speed = 0.0;
@@ -131,8 +134,8 @@ fn seconds(program: &Program, profile: &Profile) -> f64 {
     // Where a move with the head lifted began.
     let mut lifted_from: Option<DVec2> = None;
     let lifts = profile.levers.lift.is_some_and(|lift| !lift.at_rest);
-    let finish = |run: &mut Vec<Segment>, speed: f64| {
-        let process = Process { speed, ..profile.cut };
+    let finish = |run: &mut Vec<Segment>, speed: f64, marks: bool| {
+        let process = Process { speed, ..if marks { profile.mark } else { profile.cut } };
         let seconds = if run.is_empty() || speed <= 0.0 { 0.0 } else { cut_time(profile, &process, run) };
         run.clear();
         seconds
@@ -141,30 +144,38 @@ fn seconds(program: &Program, profile: &Profile) -> f64 {
         match event {
             Event::Move { rapid: false, path, feed, .. } => {
                 if (feed - speed).abs() > 1e-9 {
-                    total += finish(&mut run, speed);
+                    total += finish(&mut run, speed, marks);
                 }
                 speed = *feed;
                 run.push(*path);
                 first = false;
             }
             Event::Move { path, lifted, .. } => {
-                total += finish(&mut run, speed);
+                total += finish(&mut run, speed, marks);
                 let from = lifted_from.unwrap_or(path.start());
-                let way = if *lifted || lifted_from.is_some() { Way::Lifted } else { Way::Plain };
+                let is_lifted = *lifted || lifted_from.is_some();
                 // On the way up the move has only begun.
                 lifted_from = (*lifted && lifts).then_some(from);
-                total +=
-                    if first || lifted_from.is_some() { 0.0 } else { air.seconds(from, path.end(), way) };
+                total += match is_lifted {
+                    _ if first || lifted_from.is_some() => 0.0,
+                    true => lifted_air.seconds(from, path.end(), Way::Lifted),
+                    false => down.seconds(from, path.end(), Way::Plain),
+                };
                 first = false;
             }
             Event::Height { distance, .. } => {
-                total += finish(&mut run, speed) + profile.height_seconds(*distance);
+                total += finish(&mut run, speed, marks) + profile.height_seconds(*distance);
             }
-            Event::Dwell { seconds, .. } => total += finish(&mut run, speed) + seconds,
-            Event::Contour => {}
+            Event::Dwell { seconds, .. } => total += finish(&mut run, speed, marks) + seconds,
+            // A run goes on from one contour to the next where the head does not stop.
+            Event::Contour { mark } if *mark == marks => {}
+            Event::Contour { mark } => {
+                total += finish(&mut run, speed, marks);
+                marks = *mark;
+            }
         }
     }
-    total + finish(&mut run, speed)
+    total + finish(&mut run, speed, marks)
 }
 
 pub(super) fn report(figures: Figures, problems: Problems, profile: &Profile, dialect: &Dialect) -> Check {

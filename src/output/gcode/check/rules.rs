@@ -97,7 +97,7 @@ pub(super) fn beam(
                 let contours = std::mem::take(&mut contours).max(1);
                 wait(*line, *seconds, contours, dialect, profile, strict, problems);
             }
-            Event::Contour => contours = contours.saturating_add(1),
+            Event::Contour { .. } => contours = contours.saturating_add(1),
         }
     }
 }
