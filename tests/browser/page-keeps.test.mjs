@@ -194,7 +194,7 @@ test('after a reload, the machine of a sample and the units of a drawing are not
   await phase(page, 'done');
   const inches = await size();
   await page.waitForFunction(() => location.hash.includes('units=in'));
-  await stored(page);
+  await storedWith(page, 0, 'in');
   await page.reload();
   await planned(page, 'unknown.dxf', 'done');
   assert.equal(await size(), inches, 'the drawing itself has its units again');

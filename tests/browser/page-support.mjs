@@ -210,17 +210,17 @@ export async function replanned(page, act) {
   await page.waitForFunction((n) => window.plansBegun > n && document.body.dataset.phase === 'done', before);
 }
 
-/** Waits until the browser has stored a job with this many skipped contours and a finished plan of it. */
-export async function storedWith(page, skipped) {
-  const isStored = () => page.evaluate(async (skipped) => {
+/** Waits until the browser has stored a job with this many skipped contours, in a unit if one is given, and a finished plan of it. */
+export async function storedWith(page, skipped, unit = null) {
+  const isStored = () => page.evaluate(async ([skipped, unit]) => {
     const request = indexedDB.open('kerfway');
     const database = await new Promise((resolve) => (request.onsuccess = () => resolve(request.result)));
     const jobs = database.transaction('jobs').objectStore('jobs').getAll();
     await new Promise((resolve) => (jobs.onsuccess = resolve));
     database.close();
     // A contour is skipped before the plan without it is there.
-    return jobs.result.some(({ reading: { exclude = [] }, plan }) => exclude.length === skipped && plan?.done === true && !exclude.some((c) => plan.path.contours.includes(c)));
-  }, skipped);
+    return jobs.result.some(({ reading: { exclude = [], units }, plan }) => exclude.length === skipped && (unit === null || units === unit) && plan?.done === true && !exclude.some((c) => plan.path.contours.includes(c)));
+  }, [skipped, unit]);
   await until(page, 'the job is stored', isStored);
 }
 
