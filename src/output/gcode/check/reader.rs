@@ -216,10 +216,10 @@ impl Reader<'_, '_> {
         }
     }
 
-    /// Whether the program has ended is known by M2 and M30; nothing that follows is run.
+    /// Reports commands after M2 or M30, which the controller does not run. The `%` that ends a tape is no command.
     fn follows_the_end(&mut self, line: &Line) {
         let number = self.number;
-        if let Some(end) = self.ended {
+        if let Some(end) = self.ended.filter(|_| !line.words.is_empty()) {
             self.problems.error(Code::Incomplete, Some(number), || {
                 format!("Line {number} comes after the end of the program in line {end}: the controller does not run it.")
             });
@@ -333,4 +333,28 @@ fn announces(comment: &str) -> bool {
         before.starts_with("pre-cut")
             || before.split_once(" of ").is_some_and(|(n, _)| n.parse::<u32>().is_ok())
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::dialect::DialectChoice;
+
+    #[test]
+    fn commands_after_the_end_are_reported_and_the_end_of_a_tape_is_none() {
+        let dialect = DialectChoice::named("grbl-m4").document().unwrap();
+        let told = |text: &str| {
+            let mut problems = Problems::default();
+            follow(text, &dialect, &mut problems);
+            problems.0.into_iter().map(|p| p.message).collect::<Vec<_>>()
+        };
+        for end in ["M2\n%\n", "M30\n%\n\n; made by hand\n"] {
+            assert_eq!(told(&format!("G21 G90\nG0 X5 Y5\nM5\n{end}")), Vec::<String>::new(), "{end}");
+        }
+        let late = told("G21 G90\nM2\nG0 X5 Y5\n");
+        assert_eq!(
+            late,
+            ["Line 3 comes after the end of the program in line 2: the controller does not run it."]
+        );
+    }
 }
