@@ -9,7 +9,7 @@ import { TableDrawer } from '../panels/table-drawer.js';
 import type { Playback } from '../playback/playback.js';
 import { partsOf } from '../session/parts.js';
 import { choosing, groupOf, withChoice, withGroup, withoutGroup } from '../session/groups.js';
-import { isDrawn, namedBy, type Rule, ruleOf, shifted, withSequence } from '../session/rules.js';
+import { holds, isDrawn, namedBy, type Rule, shifted, withSequence } from '../session/rules.js';
 import type { Session } from '../session/session.js';
 import type { Scene } from '../stage/scene.js';
 
@@ -122,10 +122,9 @@ export class Selection {
   toggleRule(contours: readonly number[], rule: Rule): void {
     const { state: { load, loaded }, drawing } = this.session;
     if (contours.length === 0 || !loaded || !contours.every((c) => isDrawn(loaded, c))) return;
-    const named = namedBy(loaded, contours, rule);
-    const has = named.every((c) => ruleOf(load, c) === rule);
+    const has = holds(load, loaded, contours, rule);
     const name = contours.length === 1 ? (describe(this.session, this.playback, contours[0]!)[0] ?? '') : words.drawing.contours(contours.length, count(contours.length));
-    drawing.setRule(has ? contours : named, has ? null : rule);
+    drawing.setRule(has ? contours : namedBy(loaded, contours, rule), has ? null : rule);
     this.announcer.say(has ? words.page.unpinned(name) : words.page.decided[rule](name));
   }
 

@@ -8,7 +8,7 @@ import type { Session } from '../session/session.js';
 import type { Playback } from '../playback/playback.js';
 import { partsOf } from '../session/parts.js';
 import { choosing, commonChoice, groupOf } from '../session/groups.js';
-import { isDrawn, namedBy, pathContours, type Rule, ruleOf, RULES } from '../session/rules.js';
+import { holds, isDrawn, pathContours, type Rule, RULES } from '../session/rules.js';
 import { whyHere } from '../session/why.js';
 import { words } from '../core/words/index.js';
 
@@ -82,8 +82,6 @@ export class ContourCard {
     const { actions } = this;
     const single = contours.length === 1 ? contours[0]! : null;
     const [name, facts, why] = single === null ? [this.several(loaded, contours), this.sizes(loaded, contours), ''] : this.one(single);
-    // What comes first is said of the outer contours of a part alone.
-    const has = (rule: Rule) => namedBy(loaded, contours, rule).every((c) => ruleOf(load, c) === rule);
     const parts = partsOf(loaded);
     // Of very many parts, the shapes are found little by little; what is like these is offered then.
     if (!parts.isGrouped) void parts.group().then(() => this.shown === contours && this.show(contours));
@@ -91,7 +89,7 @@ export class ContourCard {
     const whole = parts.whole(contours), like = parts.isGrouped ? parts.like(contours) : [];
     const topmost = contours.filter((c) => !contours.includes(loaded.contours[c]?.inside ?? -1));
     const choices = !contours.every((c) => isDrawn(loaded, c)) ? [] : [
-      ...RULES.map((rule) => button(words.contour.rules[rule], { class: 'quiet small rule', 'aria-pressed': has(rule), onclick: () => actions.toggleRule(rule) })),
+      ...RULES.map((rule) => button(words.contour.rules[rule], { class: 'quiet small rule', 'aria-pressed': holds(load, loaded, contours, rule), onclick: () => actions.toggleRule(rule) })),
       contours.length > 1 && button(words.contour.group, { class: 'quiet small', title: words.contour.groupKey, 'aria-pressed': groupOf(load, loaded, contours) !== undefined, onclick: () => actions.group() }),
       topmost.length > 1 && button(words.contour.keepOrder, { class: 'quiet small', title: words.contour.keepOrderHint, onclick: () => actions.keepOrder() }),
       whole.length > contours.length && button(words.contour.whole, { class: 'quiet small', title: words.contour.wholeKey, onclick: () => actions.whole() }),

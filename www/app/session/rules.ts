@@ -125,6 +125,11 @@ export function namedBy(loaded: Loaded, contours: readonly number[], rule: Rule)
   return contours.filter((c) => !isWithin(c));
 }
 
+/** Whether a rule holds for all of a selection. */
+export function holds(load: LoadOptions, loaded: Loaded, contours: readonly number[], rule: Rule): boolean {
+  return namedBy(loaded, contours, rule).every((c) => ruleOf(load, c) === rule);
+}
+
 /** Whether two readings of a drawing find the same contours, so that the numbers of contours keep their meaning. */
 export function sameContours(a: LoadOptions, b: LoadOptions): boolean {
   // The border and groups keep their contours whatever is done with them.
