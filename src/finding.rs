@@ -120,6 +120,8 @@ pub enum Code {
     FarFromOrigin,
     /// The job does not lie on the machine's bed.
     OffBed,
+    /// A layer is worked faster than the machine moves.
+    LayerTooFast,
     /// A layer has a least power, which G-code cannot say.
     LeastPowerLeftOut,
     /// Moves with the head down over pieces that may have tipped.

@@ -115,6 +115,7 @@ impl Code {
             Self::OffBed => Whole("The job does not lie on the bed"),
             Self::HotPairs => Whole("Cuts near each other follow each other too soon"),
             Self::RiskyMoves => Whole("Moves cross pieces that may have tipped, with the head down"),
+            Self::LayerTooFast => Whole("A layer is faster than the machine moves"),
             Self::LeastPowerLeftOut => Whole("The least power of a layer is not part of G-code"),
             Self::NotAllChecked => Counted(
                 "check was cut short because of the size of the drawing",

@@ -5,6 +5,7 @@ use crate::drawing::ReadError;
 use crate::fields::{Fault, FieldError};
 use crate::machine::ProfileError;
 use crate::output::OutputError;
+use crate::sheet::plural;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -20,7 +21,7 @@ pub enum JobError {
     Options(#[from] FieldError),
     /// A contour that an option names is not in the drawing.
     #[error(
-        "Contour {contour} is listed in the options, but there are only {count} contours, counted from 0."
+        "Contour {contour} is listed in the options, but there {}, counted from 0.", only(*count)
     )]
     UnknownContour {
         /// Its id.
@@ -56,6 +57,11 @@ pub enum JobError {
         "The plan does not pass its own check, nothing was written: {0}. Please report this with the drawing."
     )]
     Unsound(String),
+}
+
+fn only(contours: usize) -> String {
+    let verb = if contours == 1 { "is" } else { "are" };
+    format!("{verb} only {}", plural(contours, "contour", "contours"))
 }
 
 impl From<ProfileError> for JobError {
@@ -214,6 +220,10 @@ mod tests {
         assert_eq!(
             serde_json::to_string(&report).unwrap(),
             r#"{"code":"unknown-contour","message":"Contour 9 is listed in the options, but there are only 4 contours, counted from 0.","params":{"contour":9.0,"count":4.0},"retryable":false}"#
+        );
+        assert_eq!(
+            JobError::UnknownContour { contour: 1, count: 1 }.to_string(),
+            "Contour 1 is listed in the options, but there is only 1 contour, counted from 0."
         );
     }
 

@@ -57,7 +57,7 @@ use crate::drawing::{Drawing, ReadOptions};
 use crate::fields::{Fault, FieldError};
 use crate::finding::{Code, Finding, Severity};
 use crate::geometry::{Path, Segment};
-use crate::machine::{PLANS_ALL_LEVERS, Profile};
+use crate::machine::{PLANS_ALL_LEVERS, Process, Profile};
 use crate::order::sort_by;
 use crate::sheet::{self, Contour, Sheet, SheetOptions};
 
@@ -211,6 +211,7 @@ impl Job {
         self.beam_sheet = skeleton.or(self.beam_sheet.take());
         self.beam_sheet = self.beam_sheet().sheet_by_sheet(&placed.profile).or(self.beam_sheet.take());
         findings.extend(placed.finding(&self.beam_sheet().bounds));
+        findings.extend(self.too_fast(&placed.profile));
         let least = self.sheet.layer_with(&placed.profile, |process| process.min_power.is_some());
         findings.extend(least.map(|layer| {
             Finding::new(Code::LeastPowerLeftOut, Severity::Info, format!(
@@ -242,6 +243,19 @@ impl Job {
         self.beam_sheet = Some(sheet);
         findings.extend(found);
         findings
+    }
+
+    /// A layer that is worked faster than the machine moves.
+    fn too_fast(&self, machine: &Profile) -> Option<Finding> {
+        let most = machine.top_speed();
+        let is_too_fast = |process: &Process| process.speed > most;
+        let contour = self.sheet.contour_with(machine, is_too_fast)?;
+        let message = format!(
+            "Layer {} is worked at {} mm/s, but the machine moves with at most {most} mm/s: it takes longer than planned, and is not written as G-code. Lower the speed of the layer, or raise the rapids of the machine.",
+            self.sheet.layer_name(contour),
+            self.sheet.process_by_id(contour, machine).speed
+        );
+        Some(Finding::new(Code::LayerTooFast, Severity::Warning, message))
     }
 
     /// The current plan.

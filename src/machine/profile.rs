@@ -183,6 +183,12 @@ impl Profile {
         if length > 0.0 { rest.between(0.0, length) } else { Vec::new() }
     }
 
+    /// The greatest speed of the head, mm/s.
+    pub fn top_speed(&self) -> f64 {
+        let [x, y] = self.rapid.speed;
+        x.max(y).max(self.cut.speed).max(self.mark.speed)
+    }
+
     /// Home as a point.
     pub fn home(&self) -> DVec2 {
         DVec2::from_array(self.home)

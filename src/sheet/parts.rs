@@ -50,7 +50,7 @@ impl Sheet {
     }
 
     /// By contour: the innermost part that it is cut with where the sheet is cut part by part. What lies in a hole of a part, and is
-    /// no part itself, has to be cut before the hole, so that it is cut with the part.
+    /// no part itself, has to be cut before the hole, so that it is cut with the part. Each pass belongs to the part of its contour.
     pub(crate) fn part_of(&self) -> Vec<Option<u32>> {
         let mut own = vec![None; self.contours.len()];
         for (part, p) in (0..).zip(&self.parts) {
@@ -60,8 +60,17 @@ impl Sheet {
                 }
             }
         }
-        let around =
-            |c: &Contour| own.get(c.inside.filter(|_| c.next_pass.is_none())? as usize).copied().flatten();
-        own.iter().zip(&self.contours).map(|(own, c)| own.or_else(|| around(c))).collect()
+        let part = |c: u32| own.get(c as usize).copied().flatten();
+        (0..)
+            .zip(&self.contours)
+            .map(|(id, _)| self.last_pass(id))
+            .map(|c| part(c).or_else(|| part(self.contours.get(c as usize)?.inside?)))
+            .collect()
+    }
+
+    /// The last pass over a contour that is worked in several passes, sheet by sheet; otherwise the contour itself.
+    fn last_pass(&self, contour: u32) -> u32 {
+        let next = |&c: &u32| self.contours.get(c as usize)?.next_pass;
+        successors(Some(contour), next).last().unwrap_or(contour)
     }
 }

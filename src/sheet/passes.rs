@@ -33,9 +33,13 @@ impl Sheet {
 
     /// The layer of the first contour whose process is such.
     pub fn layer_with(&self, machine: &Profile, is_such: impl Fn(&Process) -> bool) -> Option<&str> {
-        let found = |c: &&Contour| c.is_processed() && is_such(&self.process_of(c, machine));
-        let contour = self.contours.iter().find(found)?;
-        self.layers.get(contour.layer as usize).map(|l| l.name.as_str())
+        self.contour_with(machine, is_such).map(|id| self.layer_name(id))
+    }
+
+    /// The first contour whose process is such.
+    pub fn contour_with(&self, machine: &Profile, is_such: impl Fn(&Process) -> bool) -> Option<u32> {
+        let found = |c: &Contour| c.is_processed() && is_such(&self.process_of(c, machine));
+        (0..).zip(&self.contours).find(|(_, c)| found(c)).map(|(id, _)| id)
     }
 
     /// The sheet with every pass as a contour of its own, if passes are run sheet by sheet and there are several.

@@ -266,7 +266,12 @@ fn a_job_that_starts_where_the_head_stands_has_the_same_motions_from_there() {
     let placing = PlanOptions { place, start: Start::Current, ..options(free) };
     let job = planned(bytes, &LoadOptions::default(), &placing);
     let text = job.output(OutputKind::Gcode).unwrap();
-    assert!(text.contains("G21 G91 G91.1 G17 G94\n") && text.ends_with("G90\nM2\n"), "{text}");
+    assert!(
+        text.contains("G21 G91 G91.1 G17 G94\n")
+            && text.ends_with("\nM2\n")
+            && text.contains("\nG90\n; checksum "),
+        "{text}"
+    );
     let read = gcode::run(&text).unwrap();
     let plan = job.placed_plan().unwrap();
     assert_eq!(document(&job).machine.home, [0.0, 0.0]);

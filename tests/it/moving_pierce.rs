@@ -6,7 +6,7 @@ use crate::testkit::exact::{planned, search_of_exact_cost};
 use crate::testkit::sheets::{Builder, circle, line, machine, nested_sheet, p, rectangle};
 use kerfway::geometry::Segment;
 use kerfway::machine::{
-    LeadKind, LeadRule, LeadShape, Leads, Levers, MovingPierce, Process, Profile, presets,
+    LeadKind, LeadRule, LeadShape, Leads, Levers, MovingPierce, Process, Profile, SharpCorner, presets,
 };
 use kerfway::plan::{self, Move, Violation};
 use kerfway::sheet::Sheet;
@@ -150,4 +150,21 @@ fn the_search_is_as_good_as_every_order_and_entry_of_six_contours() {
         let sum: f64 = plan.moves.iter().map(lengths).sum();
         assert!((plan.summary.cut_length - sum).abs() < 1e-9);
     }
+}
+
+/// The checker looked for the overcut in the first run of such a cut alone, and refused the plan.
+#[test]
+fn cuts_that_begin_moving_and_pause_in_sharp_corners_cut_their_beginning_again() {
+    let sharp_corner = Some(SharpCorner { angle: 1.6, time: 0.2 });
+    let machine = Profile { sharp_corner, ..moving(&machine("co2-100w"), 3.0) };
+    let plan = planned(&sheet(), &machine);
+    assert_eq!(plan::check(&sheet(), &machine, &plan), Ok(()));
+    let pauses = plan.moves.iter().filter(|m| matches!(m, Move::Macro { contour: 0, .. })).count();
+    assert_eq!((plan.summary.moving_starts, pauses), (4, 4));
+    let found = after(&machine, &machine, |moves| {
+        let last = moves.iter().rposition(|m| matches!(m, Move::Cut { contour: 0, .. })).unwrap();
+        let Move::Cut { path, leads, .. } = &mut moves[last] else { panic!() };
+        path.truncate(path.len() - std::mem::take(&mut leads.overcut));
+    });
+    assert!(says(&found, "begins moving and does not cut the beginning again"), "{found:?}");
 }

@@ -2,8 +2,9 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use crate::testkit::dxf_text::document;
-use kerfway::job::{Job, LoadOptions, PlanOptions};
+use kerfway::job::{Job, LayerChoice, LoadOptions, PlanOptions};
 use kerfway::plan::{self, Move};
+use kerfway::sheet::{Operation, PassOrder};
 
 fn square(x: f64, y: f64, side: f64) -> String {
     let corners = [(x, y), (x + side, y), (x + side, y + side), (x, y + side)];
@@ -27,7 +28,7 @@ fn cut(job: &mut Job) -> Vec<u32> {
         .unwrap();
     job.run_mut().unwrap().step(20_000);
     let plan = job.plan().unwrap();
-    assert_eq!(plan::check(job.sheet(), &job.run().unwrap().machine, &plan), Ok(()));
+    assert_eq!(plan::check(job.beam_sheet(), &job.run().unwrap().machine, &plan), Ok(()));
     let contour = |m: &Move| if let Move::Cut { contour, .. } = m { Some(*contour) } else { None };
     plan.moves.iter().filter_map(contour).collect()
 }
@@ -80,5 +81,39 @@ fn sequences_that_would_tear_a_part_are_refused() {
     for torn in [vec![vec![0, 3, 1]], vec![vec![0, 3], vec![4, 1]], vec![vec![3, 0], vec![2, 5]]] {
         let why = load(&parts, torn.clone()).map(|_| ()).unwrap_err();
         assert!(why.ends_with("and a part is cut without others in between."), "{torn:?}: {why}");
+    }
+}
+
+/// The first passes belonged to no part for the planner, and to one for the checker, which refused the plan.
+#[test]
+fn every_pass_is_run_part_by_part_where_passes_are_run_sheet_by_sheet() {
+    for passes in [2, 3] {
+        let layers = vec![LayerChoice { passes: Some(passes), ..LayerChoice::new("0", Operation::Cut) }];
+        let options = LoadOptions {
+            part_by_part: true,
+            layers,
+            pass_order: PassOrder::Sheet,
+            ..LoadOptions::default()
+        };
+        let bytes = document(4, "", &frames().concat()).into_bytes();
+        let mut job = Job::load(bytes, "parts.dxf", &options).unwrap();
+        let order = cut(&mut job);
+        assert_eq!(order.len(), 18 * passes as usize);
+        let sheet = job.beam_sheet();
+        let frame = |id: u32| sheet.contours[id as usize].path.bounds().min.x.div_euclid(150.0) as i64;
+        for (pass, run) in (0..).zip(order.chunks(18)) {
+            assert!(run.iter().all(|&id| sheet.contours[id as usize].pass == pass), "{passes}: {run:?}");
+            let frames: Vec<i64> = run.iter().map(|&id| frame(id)).collect();
+            assert!(frames.chunks(6).all(|six| six.iter().all(|f| *f == six[0])), "{passes}: {frames:?}");
+        }
+        // A plan with a first pass over a contour of another frame in between is refused.
+        let mut torn = job.plan().unwrap();
+        let first = torn.moves.iter().position(|m| matches!(m, Move::Cut { .. })).unwrap();
+        let moved: Vec<Move> = torn.moves.drain(first - 1..=first).collect();
+        let at =
+            torn.moves.iter().enumerate().filter(|(_, m)| matches!(m, Move::Cut { .. })).nth(9).unwrap().0;
+        torn.moves.splice(at + 1..at + 1, moved);
+        let found = plan::check(sheet, &job.run().unwrap().machine, &torn).unwrap_err();
+        assert!(found.iter().any(|v| matches!(v, plan::Violation::Torn { .. })), "{found:?}");
     }
 }

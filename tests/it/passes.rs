@@ -2,6 +2,7 @@
 #![allow(clippy::float_cmp, reason = "numbers that are exact, or must not change at all")]
 
 use crate::testkit::gcode;
+use kerfway::finding::Code;
 use kerfway::job::{Job, JobError, LayerChoice, LoadOptions, MachineChoice, OutputKind, PlanOptions};
 use kerfway::machine::{Axes, MaterialSetting, Process, Profile, Settings, preset};
 use kerfway::plan::document::Document;
@@ -311,4 +312,24 @@ fn a_layer_cuts_at_its_own_speed_and_power_in_the_program() {
     let text = planned(layers, PassOrder::Contour, machine()).output(OutputKind::Gcode).unwrap();
     assert!(text.contains("S350 F450"), "{text}");
     assert!(text.contains("S800 F600"), "{text}");
+}
+
+/// The plan was made, and its program was then refused without a hint at the layer.
+#[test]
+fn a_layer_that_is_faster_than_the_machine_is_a_finding_and_is_not_written() {
+    let at = |speed| planned(vec![layer("LINE", |l| l.speed = Some(speed))], PassOrder::Contour, machine());
+    let told = |job: &Job| -> Vec<(Code, String)> {
+        job.run().unwrap().findings.iter().map(|f| (f.code, f.message.clone())).collect()
+    };
+    assert!(told(&at(100.0)).iter().all(|f| f.0 != Code::LayerTooFast));
+    at(100.0).output(OutputKind::Gcode).unwrap();
+    let job = at(150.0);
+    let message = "Layer LINE is worked at 150 mm/s, but the machine moves with at most 100 mm/s: it takes longer than planned, and is not written as G-code. \
+        Lower the speed of the layer, or raise the rapids of the machine.";
+    assert!(told(&job).contains(&(Code::LayerTooFast, message.to_owned())), "{:?}", told(&job));
+    assert_eq!(
+        job.output(OutputKind::Gcode).unwrap_err().to_string(),
+        "GRBL 1.1 (dialect \"grbl-m4\") cannot be asked for 150 mm/s by a layer, because the machine moves with at most 100 mm/s: \
+        lower the speed of the layer, or raise the rapids of the machine."
+    );
 }

@@ -36,6 +36,19 @@ it('a program passes its check, and a broken one fails with exit code 1', async 
   assert.equal(both.code, 4);
 });
 
+/** A second document followed, which said that the file could not be read. */
+it('a program that fails has one JSON document on standard output', async (t) => {
+  const at = workshop(t);
+  assert.equal((await kerfway('plan', at('plate.dxf'), '--gcode', at('plate.nc'), ...PLAN)).code, 0);
+  const program = readFileSync(at('plate.nc'), 'utf8');
+  writeFileSync(at('changed.nc'), program.replace('\nM5', '\nM6\nM5'));
+  const { code, stdout, stderr } = await kerfway('check', at('changed.nc'), '--json', '-');
+  assert.equal(code, 1);
+  const documents = stdout.trim().split('\n').map((line) => JSON.parse(line));
+  assert.deepEqual(documents.map((d) => [d.name, d.passed, d.problems?.map((p) => p.code)]), [['changed.nc', false, ['changed']]]);
+  assert.match(stderr, /changed\.nc fails: The program is not as Kerfway wrote it: lines were changed, added or removed since\. Write it again; if that was on purpose, delete the line with the checksum, and check the program once more\.\n/);
+});
+
 it('a program off the bed fails', async (t) => {
   const at = workshop(t);
   writeFileSync(at('far.nc'), 'G21 G90\nM4 S0\nG0 X-50 Y0\nG1 X-40 S500 F600\nG0 X0 Y0 S0\nM5\nM2\n');

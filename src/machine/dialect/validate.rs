@@ -4,7 +4,7 @@ use super::model::{Dialect, PierceBy, Power, PowerBy};
 use crate::fields::no_such;
 
 /// What lines of a header or footer may contain in braces.
-pub const PLACEHOLDERS: [&str; 22] = [
+pub const PLACEHOLDERS: [&str; 23] = [
     "version",
     "job",
     "machine",
@@ -27,6 +27,7 @@ pub const PLACEHOLDERS: [&str; 22] = [
     "height",
     "corner_tolerance",
     "controller",
+    "checksum",
 ];
 
 /// What the lines that switch the beam on and those that pierce may contain in braces.

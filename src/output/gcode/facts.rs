@@ -1,5 +1,6 @@
 //! The values of the placeholders in a dialect's header and footer: what a program says about itself.
 
+use super::checksum;
 use crate::machine::Profile;
 use crate::machine::dialect::{Dialect, FileUnit};
 use crate::number::fixed;
@@ -87,6 +88,7 @@ impl Facts {
             ("ymax", number(ymax)),
             ("width", number(xmax - xmin)),
             ("height", number(ymax - ymin)),
+            ("checksum", text(checksum::PLACE.to_owned())),
             ("corner_tolerance", text(fixed(tolerance / dialect.units.mm(), 4).to_string())),
         ];
         Self { values: all.into_iter().filter_map(|(name, value)| Some((name, value?))).collect() }

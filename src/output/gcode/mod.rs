@@ -30,6 +30,7 @@
 
 mod beam;
 mod check;
+mod checksum;
 mod facts;
 mod grbl_arc;
 mod pen;
@@ -100,7 +101,7 @@ pub fn gcode<'a>(
     let writer = Writer::new(profile, &dialect, start);
     writer.refuse(plan, sheet)?;
     let facts = Facts::of(plan, profile, &dialect, &job.into());
-    writer.program(plan, sheet, &facts).map_err(|line| {
+    writer.program(plan, sheet, &facts).map(checksum::filled).map_err(|line| {
         OutputError::Dialect(format!(
             "A line of the program is longer than the {} characters of the dialect \"{}\": {line}",
             dialect.line_length, dialect.name
@@ -171,6 +172,13 @@ impl<'d> Writer<'d> {
         }
         let processes: Vec<_> =
             cuts(plan).iter().map(|cut| CutProcess::of_cut(sheet, self.profile, cut)).collect();
+        let most = self.profile.top_speed();
+        if let Some(fast) = processes.iter().find(|p| p.speed > most) {
+            return refuse(&format!(
+                "cannot be asked for {} mm/s by a layer, because the machine moves with at most {most} mm/s: lower the speed of the layer, or raise the rapids of the machine.",
+                fast.speed
+            ));
+        }
         if self.dialect.air.is_none() && processes.iter().any(|p| p.air) {
             return refuse(
                 "has no command for air: switch the air off in the layers, or give \"air\" in the dialect.",

@@ -6,6 +6,7 @@
 
 use super::coverage::{Fault, follows};
 use super::joints;
+use super::lead_rules;
 use super::leads;
 use super::tolerance::{SAME, rounding};
 use super::violation::Violation;
@@ -77,7 +78,7 @@ impl Flown {
             if !contour.path.closed || contour.operation != Operation::Cut || !once {
                 beam("cuts on the run what is open, a mark, or cut in several passes");
             }
-            if joints::asked(sheet, machine, id).is_some() || leads::asked(sheet, machine, id, contour) {
+            if joints::asked(sheet, machine, id).is_some() || lead_rules::asked(sheet, machine, id, contour) {
                 beam("cuts on the run what has joints or leads");
             }
             if pieces.iter().any(|p| p.led) {

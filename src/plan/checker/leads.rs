@@ -7,13 +7,14 @@
 use super::groups::Groups;
 use super::joints;
 use super::lead_room::Room;
+use super::lead_rules::{asked_of_outline, rule};
 use super::macros::joined;
 use super::tolerance::SAME;
 use super::violation::Violation;
 use crate::geometry::{DVec2, Path, Segment, math};
-use crate::machine::{LeadKind, LeadRule, LeadSide, PLANS_ALL_LEVERS, Profile};
+use crate::machine::{LeadKind, PLANS_ALL_LEVERS, Profile};
 use crate::plan::model::{Move, Plan};
-use crate::sheet::{Contour, Operation, Sheet};
+use crate::sheet::{Contour, Sheet};
 use std::f64::consts::PI;
 
 /// Largest angle between a tangent arc and what it joins, rad.
@@ -39,36 +40,6 @@ fn wanted(sheet: &Sheet, machine: &Profile, id: u32, contour: &Contour) -> Optio
         None => return None,
     };
     Some(asked.clamp(-half, half))
-}
-
-/// The rule of a contour that may have leads. Where a person chose its lead and no rule fits it, the first rule gives its sizes.
-fn rule(sheet: &Sheet, machine: &Profile, id: u32, contour: &Contour) -> Option<Option<LeadRule>> {
-    let once = sheet.process_of(contour, machine).passes == 1;
-    let may = once && contour.path.closed && contour.operation == Operation::Cut && !contour.self_crossing;
-    let side = if contour.depth % 2 == 1 { LeadSide::Hole } else { LeadSide::Outer };
-    let size = contour.path.bounds().size();
-    let fitting = || machine.leads.as_ref()?.rule(side, size.x.max(size.y), contour.path.length()).cloned();
-    let first = || machine.leads.as_ref()?.rules.first().cloned();
-    let chosen = sheet.chosen_lead(id).is_some();
-    let rule =
-        || if chosen { fitting().or_else(first).or_else(|| Some(LeadRule::default())) } else { fitting() };
-    may.then(rule)
-}
-
-/// Whether a rule or a person asks for a lead-in of a part or hole, of which only a rest may be left to be cut.
-fn asked_of_outline(sheet: &Sheet, machine: &Profile, id: u32, contour: &Contour) -> bool {
-    let Some(outline) = contour.boundary() else { return false };
-    let side = if contour.depth % 2 == 1 { LeadSide::Hole } else { LeadSide::Outer };
-    let size = outline.bounds().size();
-    let rule = machine.leads.as_ref().and_then(|l| l.rule(side, size.x.max(size.y), outline.length()));
-    sheet
-        .chosen_lead(id)
-        .map_or_else(|| rule.is_some_and(|r| r.lead_in.kind != LeadKind::None), |kind| kind != LeadKind::None)
-}
-
-/// Whether a rule or a person asks for the lead of a contour.
-pub(super) fn asked(sheet: &Sheet, machine: &Profile, id: u32, contour: &Contour) -> bool {
-    sheet.chosen_lead(id).is_some() || rule(sheet, machine, id, contour).flatten().is_some()
 }
 
 pub(super) fn check(

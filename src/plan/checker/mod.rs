@@ -20,6 +20,7 @@ mod joints_left;
 mod kerf;
 mod kerfs;
 mod lead_room;
+mod lead_rules;
 mod leads;
 mod macros;
 mod moving;

@@ -4,6 +4,7 @@
 use super::fly::Flown;
 use super::groups::Groups;
 use super::joints;
+use super::macros::joined;
 use super::violation::Violation;
 use crate::geometry::Segment;
 use crate::machine::Profile;
@@ -24,17 +25,21 @@ pub(super) fn check(
         return;
     }
     let groups = Groups::new(sheet, machine, plan);
-    for (step, pair) in plan.moves.windows(2).enumerate().filter(|(_, pair)| pair[0] == Move::MovingStart) {
+    // A cut may pause in sharp corners. Faults of these pauses are reported elsewhere.
+    let moves = joined(&plan.moves, machine, &groups, &mut Vec::new());
+    let begins = |m: &Move| *m == Move::MovingStart;
+    for pair in moves.windows(2).filter(|pair| begins(&pair[0].1)) {
+        let (step, next) = (pair[0].0, pair[1].1.as_ref());
         let mut fault = |what| found.push(Violation::Beam { step, what });
         // Those of cuts on the run are checked with them.
-        if matches!(&pair[1], Move::Cut { contour, .. } if flown.holds(*contour)) {
+        if matches!(next, Move::Cut { contour, .. } if flown.holds(*contour)) {
             continue;
         }
         let Some(lever) = machine.levers.moving_pierce else {
             fault("begins moving, which the machine does not");
             continue;
         };
-        let Move::Cut { contour, path, leads, .. } = &pair[1] else {
+        let Move::Cut { contour, path, leads, .. } = next else {
             fault("begins moving without a cut");
             continue;
         };

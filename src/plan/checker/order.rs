@@ -100,6 +100,13 @@ fn part_by_part<R: Copy + PartialEq>(sheet: &Sheet, visits: &Visits, rank: &[R],
     for (own, held) in parts.iter_mut().zip(held).filter(|(own, _)| own.is_empty()) {
         *own = held;
     }
+    // An earlier pass over a contour belongs to the parts of the contour.
+    let next = |&c: &u32| sheet.contours.get(c as usize).and_then(|c| c.next_pass);
+    for pass in (0..).zip(&sheet.contours).filter(|(_, c)| c.next_pass.is_some()).map(|(id, _)| id) {
+        if let Some(last) = std::iter::successors(Some(pass), next).last() {
+            parts[pass as usize] = parts[last as usize].clone();
+        }
+    }
     // For each part, the position of its last contour so far among those of its rank.
     let mut last: Vec<Option<(usize, u32)>> = vec![None; sheet.parts.len()];
     for (k, &contour) in visits.order.iter().enumerate() {

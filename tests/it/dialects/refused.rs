@@ -6,14 +6,15 @@ use kerfway::geometry::Segment;
 use kerfway::machine::dialect::{Dialect, DialectChoice, dialects};
 use kerfway::machine::{Profile, Start};
 use kerfway::output;
-use kerfway::plan::Plan;
+use kerfway::plan::{self, Plan};
 
 /// A program of the small plan, with the piercing that most mutants change.
 fn program(dialect: &str) -> (Profile, Plan, String) {
     // Without a wait after cuts, every rapid has its own S0.
     let machine = Profile { beam_off_delay: 0.0, ..machine() };
     let profile = with(&machine, DialectChoice::named(dialect));
-    let (sheet, plan) = plans::small();
+    let (sheet, mut plan) = plans::small();
+    plan.summary = plan::evaluate(&plan.moves, &sheet, &profile);
     let text =
         output::gcode(&plan, &output::SheetFacts::of(&sheet), &profile, "test.dxf", Start::Absolute).unwrap();
     (profile, plan, text)
@@ -138,6 +139,38 @@ fn every_mutant_fails_the_preflight() {
             )
         };
         assert_refused(dialect, "a missing M5", missing, &["beam-on-at-end"]);
+    }
+}
+
+/// These programs add up, and passed when they were checked without their plan.
+#[test]
+fn a_program_that_was_changed_is_refused_by_its_checksum() {
+    for dialect in dialects() {
+        let name = &dialect.name;
+        let (profile, _, text) = program(name);
+        let untouched =
+            [text.clone(), text.replace('\n', "\r\n"), text.replace("\r\n", "\n"), text.replace('\n', " \n")];
+        for same in untouched {
+            assert_eq!(output::check(&same, &profile).unwrap().problems, [], "{name}");
+        }
+        let words = |from: &'static str, to: &'static str| move |t: &str| t.replacen(from, to, 1);
+        if text.contains("\nG2 ") {
+            assert_refused(name, "an arc the other way", words("\nG2 ", "\nG3 "), &["changed"]);
+        }
+        assert_refused(name, "another tool", words("\nG21", "\nM6\nG21"), &["changed"]);
+        let lines = |t: &str| t.lines().map(|l| l.to_owned() + "\n").collect::<Vec<_>>();
+        let swapped = |t: &str| {
+            let lines = lines(t);
+            let starts: Vec<usize> = (0..lines.len()).filter(|&k| lines[k].contains(" contour ")).collect();
+            // The rapid to each contour is the line before it.
+            let [a, b, c] = [starts[0] - 1, starts[1] - 1, starts[2] - 1];
+            [&lines[..a], &lines[b..c], &lines[a..b], &lines[c..]].concat().concat()
+        };
+        assert_refused(name, "another order", swapped, &["changed"]);
+        // Without the checksum it is checked like any other program.
+        let plain: String = lines(&text).into_iter().filter(|l| !l.contains("checksum")).collect();
+        assert_eq!(output::check(&plain, &profile).unwrap().problems, [], "{name}");
+        assert!(plain.len() < text.replace("\r\n", "\n").len(), "{name}");
     }
 }
 

@@ -126,3 +126,28 @@ fn a_joint_off_the_contour_is_found() {
     }
     assert!(faults(&sheet, &machine, &plan).iter().any(|f| f.contains("leaves contour")));
 }
+
+/// The gap that the overcut leaves was taken for a joint in a corner, and the plan was refused.
+#[test]
+fn a_gap_that_is_as_wide_as_a_joint_is_no_joint() {
+    let mut b = Builder::new();
+    let plate = b.cut(rectangle(p(50.0, 50.0), p(60.0, 40.0)), None);
+    b.cut(rectangle(p(70.0, 60.0), p(20.0, 20.0)), Some(plate));
+    let sheet = oriented(b.sheet);
+    for (width, joints) in [(2.0, 4), (1.5, 4)] {
+        let rule = JointRule { width, ..rule(2, JointKind::Stop) };
+        let machine = with_leads(machine("co2-100w"), leads(LeadKind::None, 1.0, -2.0));
+        let machine = with_joints(machine, vec![rule]);
+        let problem = problem_of(&sheet, &machine);
+        let plan = plan::from_solution(&sheet, &problem, &solve::greedy(&problem));
+        assert_eq!(plan::check(&sheet, &machine, &plan), Ok(()), "{width}");
+        assert_eq!(plan.summary.joints, joints, "{width}");
+        // One joint fewer or more than there are is found.
+        for wrong in [joints - 1, joints + 3] {
+            let mut plan = plan.clone();
+            plan.summary.joints = wrong;
+            let found = faults(&sheet, &machine, &plan);
+            assert!(found.iter().any(|f| f.contains("the number of joints")), "{width}, {wrong}: {found:?}");
+        }
+    }
+}

@@ -52,7 +52,7 @@ export async function eachFile({ words, values }: Words, { outputs, columns, inp
       } catch (error) {
         if (!(error instanceof Unusable)) throw error;
         complain(error.message);
-        if (jsonPiped) await print(failureDocument(file, error.report)).catch(() => {});
+        if (jsonPiped && error.report !== null) await print(failureDocument(file, error.report)).catch(() => {});
         failed.push(file);
         exits.add(error.exit);
       }

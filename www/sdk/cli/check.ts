@@ -24,7 +24,7 @@ export async function check(args: string[]): Promise<void> {
       await to.write(file, outputs.map((output) => ({ output, data: `${JSON.stringify({ name: basename(file), ...report })}\n` })));
       if (!piped || place.of > 1) await to.report(place, () => lines(file, report, machine), () => row(file, report));
       const first = report.problems.find(isError);
-      if (first !== undefined) throw new Unusable(`${file} fails: ${first.message}`);
+      if (first !== undefined) throw new Unusable(`${file} fails: ${first.message}`, null);
     });
   } finally {
     planner.close();

@@ -17,10 +17,13 @@ export const EXIT = { unusable: 1, wrongUse: 2, unwritable: 3, some: 4, all: 5 }
 export class Unusable extends Error {
   readonly exit: number = EXIT.unusable;
 
-  /** `report`: the error for programs, if it is known better than that a file cannot be read. */
+  /**
+   * `report`: the error for programs, if it is known better than that a file cannot be read; `null`: programs have been told by a document of the
+   * command's own.
+   */
   constructor(
     message: string,
-    readonly report: ErrorReport = new KerfwayError('unreadable-file', message).toJSON(),
+    readonly report: ErrorReport | null = new KerfwayError('unreadable-file', message).toJSON(),
   ) {
     super(message);
   }

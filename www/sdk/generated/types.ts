@@ -46,7 +46,7 @@ export interface EntityKindCount {
 export type Severity = "info" | "warning" | "error";
 
 /** The kind of a finding. Written in kebab case in JSON (`unsupported-entity`). Later versions may add codes. */
-export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "bridges" | "part-shift" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "lead-adjusted" | "lead-missing" | "joint-adjusted" | "joint-missing" | "corner-stopped" | "far-from-origin" | "off-bed" | "least-power-left-out" | "risky-moves" | "hot-pairs" | "not-all-checked" | "more";
+export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "bridges" | "part-shift" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "lead-adjusted" | "lead-missing" | "joint-adjusted" | "joint-missing" | "corner-stopped" | "far-from-origin" | "off-bed" | "layer-too-fast" | "least-power-left-out" | "risky-moves" | "hot-pairs" | "not-all-checked" | "more";
 
 /** One finding. */
 export interface Finding {
@@ -917,7 +917,7 @@ export interface LoadedReport {
 }
 
 /** What kind of thing is wrong. */
-export type CheckCode = "unreadable" | "bad-line" | "units-unknown" | "beam-on-rapid" | "power-on-rapid" | "dark-cut" | "lifted-cut" | "dark-pierce" | "power-out-of-range" | "feed-out-of-range" | "wait-out-of-range" | "bad-arc" | "off-bed" | "cut-twice" | "beam-on-at-end" | "incomplete" | "differs" | "empty";
+export type CheckCode = "unreadable" | "bad-line" | "units-unknown" | "beam-on-rapid" | "power-on-rapid" | "dark-cut" | "lifted-cut" | "dark-pierce" | "power-out-of-range" | "feed-out-of-range" | "wait-out-of-range" | "bad-arc" | "off-bed" | "cut-twice" | "beam-on-at-end" | "incomplete" | "differs" | "empty" | "changed";
 
 /** Something wrong with a program. */
 export interface CheckProblem {

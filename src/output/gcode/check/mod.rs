@@ -20,11 +20,15 @@ mod words;
 pub use problem::{Code as CheckCode, Problem as CheckProblem};
 pub use report::Check;
 
+use super::checksum::is_changed;
 use crate::machine::Profile;
 use crate::machine::dialect::Dialect;
 use crate::plan::Plan;
 use expected::Expected;
 use problem::Problems;
+
+const CHANGED: &str = "The program is not as Kerfway wrote it: lines were changed, added or removed since. Write it again; if that was \
+    on purpose, delete the line with the checksum, and check the program once more.";
 
 /// Checks a program against the machine that is to run it, and against its own header if Kerfway wrote it.
 ///
@@ -53,5 +57,8 @@ fn run(text: &str, profile: &Profile, dialect: &Dialect, plan: Option<&Plan>) ->
     rules::beam(&program, dialect, profile, &expected, &mut problems);
     let figures = report::figures(&program, &cuts, profile);
     rules::compare(&figures, &expected, dialect, profile, &mut problems);
+    if expected.by_kerfway && is_changed(text) {
+        problems.error(CheckCode::Changed, None, || CHANGED.into());
+    }
     report::report(figures, problems, profile, dialect)
 }

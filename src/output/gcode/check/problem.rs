@@ -44,6 +44,8 @@ pub enum Code {
     Differs,
     /// There is nothing to cut.
     Empty,
+    /// A program of Kerfway's has lines that were changed, added or removed since.
+    Changed,
 }
 
 /// Something wrong with a program.

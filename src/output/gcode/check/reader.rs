@@ -187,6 +187,12 @@ impl Reader<'_, '_> {
                 }
             }
         }
+        if let Some(m) = [970, 980].into_iter().find(|&m| is('M', m)) {
+            let (number, m) = (self.number, m / 10);
+            self.problems.error(Code::Unreadable, Some(number), || {
+                format!("Line {number} calls another program by M{m}, which this check does not see, so it cannot say what the machine does.")
+            });
+        }
         let unit = self.unit.unwrap_or(self.dialect.units.mm());
         // F after G4 is a time where the dialect says so, and no feed.
         if let Some(feed) = line.value('F').filter(|_| !is('G', 40)) {
@@ -340,14 +346,27 @@ mod tests {
     use super::*;
     use crate::machine::dialect::DialectChoice;
 
+    fn told(text: &str) -> Vec<String> {
+        let dialect = DialectChoice::named("grbl-m4").document().unwrap();
+        let mut problems = Problems::default();
+        follow(text, &dialect, &mut problems);
+        problems.0.into_iter().map(|p| p.message).collect()
+    }
+
+    #[test]
+    fn calls_of_other_programs_are_reported() {
+        for (call, word) in [("M98 P100", "M98"), ("M97 P5 L2", "M97")] {
+            assert_eq!(
+                told(&format!("G21 G90\n{call}\nM2\n")),
+                [format!(
+                    "Line 2 calls another program by {word}, which this check does not see, so it cannot say what the machine does."
+                )]
+            );
+        }
+    }
+
     #[test]
     fn commands_after_the_end_are_reported_and_the_end_of_a_tape_is_none() {
-        let dialect = DialectChoice::named("grbl-m4").document().unwrap();
-        let told = |text: &str| {
-            let mut problems = Problems::default();
-            follow(text, &dialect, &mut problems);
-            problems.0.into_iter().map(|p| p.message).collect::<Vec<_>>()
-        };
         for end in ["M2\n%\n", "M30\n%\n\n; made by hand\n"] {
             assert_eq!(told(&format!("G21 G90\nG0 X5 Y5\nM5\n{end}")), Vec::<String>::new(), "{end}");
         }

@@ -54,6 +54,7 @@ export const de: Words = {
     'joint-missing': (n, w) => counted(n, w, 'Kontur ohne Platz für einen Mikrosteg', 'Konturen ohne Platz für Mikrostege'),
     'far-from-origin': () => 'Zu weit vom Nullpunkt entfernt',
     'off-bed': () => 'Nicht auf dem Arbeitsbereich',
+    'layer-too-fast': () => 'Eine Ebene ist schneller als die Maschine',
     'least-power-left-out': () => 'Die kleinste Leistung kommt im G-Code nicht vor',
     'risky-moves': () => 'Fahrten führen über Teile, die gekippt sein können',
     'corner-stopped': (n, w) => counted(n, w, 'Ecke ohne Platz für Schleife oder Bogen', 'Ecken ohne Platz für Schleife oder Bogen'),

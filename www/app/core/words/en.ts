@@ -61,6 +61,7 @@ const findingTitles: Record<FindingCode, Counted> = {
   'joint-missing': (n, w) => counted(n, w, 'contour without room for a micro-joint', 'contours without room for micro-joints'),
   'far-from-origin': () => 'Too far from the origin',
   'off-bed': () => 'Not on the bed',
+  'layer-too-fast': () => 'A layer is faster than the machine',
   'least-power-left-out': () => 'Least power is not part of G-code',
   'risky-moves': () => 'Moves cross pieces that may have tipped',
   'corner-stopped': (n, w) => counted(n, w, 'corner without room for a loop or an arc', 'corners without room for loops or arcs'),

@@ -54,6 +54,7 @@ export const es: Words = {
     'joint-missing': (n, w) => counted(n, w, 'contorno sin sitio para una microunión', 'contornos sin sitio para microuniones'),
     'far-from-origin': () => 'Demasiado lejos del origen',
     'off-bed': () => 'Fuera de la mesa',
+    'layer-too-fast': () => 'Una capa es más rápida que la máquina',
     'least-power-left-out': () => 'La potencia mínima no forma parte del G-code',
     'risky-moves': () => 'Hay trayectos sobre piezas que pueden haberse levantado',
     'corner-stopped': (n, w) => counted(n, w, 'esquina sin sitio para un bucle o un arco', 'esquinas sin sitio para bucles o arcos'),

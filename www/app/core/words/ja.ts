@@ -51,6 +51,7 @@ export const ja: Words = {
     'joint-missing': (_n, w) => `ミクロジョイントを置く余地のない輪郭 ${w} 個`,
     'far-from-origin': () => '原点から遠すぎます',
     'off-bed': () => 'ベッドの上にありません',
+    'layer-too-fast': () => '機械より速い速度のレイヤーがあります',
     'least-power-left-out': () => '最小出力は G コードに含まれません',
     'risky-moves': () => '跳ね上がったおそれのある部品の上を移動します',
     'corner-stopped': (_n, w) => `ループや円弧の余地のない角 ${w} 個`,

@@ -51,6 +51,7 @@ export const zh: Words = {
     'joint-missing': (_n, w) => `${w} 个轮廓没有放微连接的空间`,
     'far-from-origin': () => '离原点太远',
     'off-bed': () => '不在工作台上',
+    'layer-too-fast': () => '有图层的速度超过机器速度',
     'least-power-left-out': () => 'G 代码不含最小功率',
     'risky-moves': () => '移动经过可能翘起的零件',
     'corner-stopped': (_n, w) => `${w} 个拐角没有绕环或圆弧的空间`,
