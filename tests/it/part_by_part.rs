@@ -100,10 +100,10 @@ fn every_pass_is_run_part_by_part_where_passes_are_run_sheet_by_sheet() {
         let order = cut(&mut job);
         assert_eq!(order.len(), 18 * passes as usize);
         let sheet = job.beam_sheet();
-        let frame = |id: u32| sheet.contours[id as usize].path.bounds().min.x.div_euclid(150.0) as i64;
+        let frame = |id: u32| sheet.contours[id as usize].path.bounds().min.x.div_euclid(150.0).to_bits();
         for (pass, run) in (0..).zip(order.chunks(18)) {
             assert!(run.iter().all(|&id| sheet.contours[id as usize].pass == pass), "{passes}: {run:?}");
-            let frames: Vec<i64> = run.iter().map(|&id| frame(id)).collect();
+            let frames: Vec<u64> = run.iter().map(|&id| frame(id)).collect();
             assert!(frames.chunks(6).all(|six| six.iter().all(|f| *f == six[0])), "{passes}: {frames:?}");
         }
         // A plan with a first pass over a contour of another frame in between is refused.
