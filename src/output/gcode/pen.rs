@@ -11,15 +11,18 @@
 //!
 //! Every motion, as written, lies within 0.002 mm of its element, or within the dialect's tolerance of chords.
 
+mod rapids;
+mod waits;
+
 use super::super::process::CutProcess;
-use super::beam::{Beam, filled};
+use super::beam::Beam;
 use super::facts::Facts;
 use super::grbl_arc;
 use super::text::Lines;
 use crate::geometry::{Arc, DVec2, Segment, arcs};
-use crate::machine::dialect::{Dialect, Pierce, PierceBy, PowerBy};
-use crate::machine::{Lift, Profile, Start};
-use crate::number::{Fixed, fixed, power_of_ten};
+use crate::machine::dialect::{Dialect, PowerBy};
+use crate::machine::{Profile, Start};
+use crate::number::{fixed, power_of_ten};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
@@ -90,14 +93,6 @@ impl<'d> Pen<'d> {
         pen
     }
 
-    /// Moves the head from wherever it is to the pen's position, unless the job starts where the head stands.
-    pub(super) fn find_start(&mut self) {
-        if self.start.is_absolute() {
-            let line = self.rapid_line(self.at, "");
-            self.lines.push(&line);
-        }
-    }
-
     /// Writes the lines of the dialect's header. A job that starts where the head stands selects G91 instead of G90.
     pub(super) fn header(&mut self, facts: &Facts) {
         for line in &self.dialect.header {
@@ -137,131 +132,6 @@ impl<'d> Pen<'d> {
         self.power = fixed(process.power * self.full, self.dialect.power.decimals as usize).to_string();
         self.set_air(process.air);
         self.lower_to(process.z);
-    }
-
-    /// Moves to a place with the beam off.
-    pub(super) fn rapid(&mut self, to: DVec2) {
-        self.leg(self.rounded(to), None);
-        self.wait_owed();
-    }
-
-    /// Moves to a place with the beam off and the head lifted: on the way, or before and after it.
-    pub(super) fn lifted(&mut self, to: DVec2, lift: &Lift) {
-        let end = self.rounded(to);
-        if self.same(self.at, end) {
-            return self.rapid(to);
-        }
-        if lift.at_rest {
-            self.leg(self.at, Some(lift.height));
-            self.leg(end, None);
-            self.leg(end, Some(0.0));
-        } else {
-            let middle = ((self.at + end) * 0.5 * self.grid).round() / self.grid;
-            self.leg(middle, Some(lift.height));
-            self.leg(end, Some(0.0));
-        }
-        self.wait_owed();
-    }
-
-    /// Moves to a rounded place with the beam off, and to a height.
-    fn leg(&mut self, to: DVec2, z: Option<f64>) {
-        let moves = !self.same(self.at, to) || z.is_some();
-        if self.power_in_force != "0" && !self.beam.is_on_motions() {
-            self.push_all(self.beam.off_for_motion());
-            "0".clone_into(&mut self.power_in_force);
-        }
-        let height = z.map(|z| self.z_word(z)).unwrap_or_default();
-        let mut line = match moves {
-            true if self.same(self.at, to) => self.with_feed(format!("G0{height}"), self.z_feed.clone()),
-            true => self.rapid_line(to, &height),
-            false => String::new(),
-        };
-        if self.power_in_force != "0" && (moves || self.beam.takes_bare_power()) {
-            let _ = write!(line, "{}{}0", if line.is_empty() { "" } else { " " }, self.dialect.power.word);
-            "0".clone_into(&mut self.power_in_force);
-        }
-        if !line.is_empty() {
-            self.lines.push(&line);
-        }
-        self.at = to;
-    }
-
-    fn wait_owed(&mut self) {
-        let owed = std::mem::take(&mut self.owed);
-        self.dwell(owed);
-    }
-
-    /// Dwells for `seconds` with the beam on; writes nothing if that rounds to 0.
-    pub(super) fn pierce(&mut self, pierce: &Pierce, seconds: f64) {
-        if self.dwell_text(seconds).is_none() {
-            return;
-        }
-        let [power, feed, word] = [&self.power, &self.feed, &self.dialect.power.word].map(Clone::clone);
-        match pierce.by {
-            PierceBy::DwellM3 => {
-                self.lines.push(&format!("G1 M3 {word}{power} F{feed}"));
-                self.dwell(seconds);
-                if self.dialect.power.by == PowerBy::LaserM4 {
-                    self.lines.push("M4");
-                }
-                self.feed_in_force = feed;
-            }
-            PierceBy::DwellM68 => {
-                self.lines.push(&format!("M68 E{} {word}{power}", self.dialect.power.output.unwrap_or(0)));
-                self.dwell(seconds);
-            }
-            PierceBy::DwellStandard if self.dialect.power.by == PowerBy::InlineM3 => {
-                self.lines.push("M5 I");
-                self.lines.push(&format!("M3 {word}{power}"));
-                self.dwell(seconds);
-                self.lines.push("M5");
-                self.lines.push(INLINE_DARK);
-                "0".clone_into(&mut self.power_in_force);
-                return;
-            }
-            PierceBy::DwellStandard => {
-                self.push_all(self.beam.on(&power));
-                self.dwell(seconds);
-            }
-            PierceBy::Macro => {
-                let seconds = fixed(seconds, 3).to_string();
-                self.push_all(filled(&pierce.lines, &power, &seconds));
-            }
-            PierceBy::Creep => return,
-        }
-        self.power_in_force = power;
-    }
-
-    /// Dwells for `seconds` with the beam off; writes nothing if that rounds to 0.
-    pub(super) fn settle_dark(&mut self, seconds: f64) {
-        if self.dwell_text(seconds).is_none() {
-            return;
-        }
-        if !self.beam.goes_off_at_rest() {
-            // With the next motion the beam is off.
-            self.owed += seconds;
-            return;
-        }
-        match self.dialect.power.by {
-            PowerBy::LaserM4 | PowerBy::LaserM3 => self.lines.push(&format!("{}0", self.dialect.power.word)),
-            // Dark at rest by itself; the S of the motions stays in force.
-            PowerBy::Motion => return self.dwell(seconds),
-            _ => self.push_all(self.beam.off_now()),
-        }
-        self.dwell(seconds);
-        if self.dialect.power.by == PowerBy::InlineM3 {
-            self.lines.push(INLINE_DARK);
-        }
-        "0".clone_into(&mut self.power_in_force);
-    }
-
-    /// Dwells for `seconds` after a rapid, which is dark, or where the beam goes off at rest.
-    pub(super) fn wait(&mut self, seconds: f64) {
-        if self.beam.goes_off_at_rest() {
-            self.settle_dark(seconds);
-        } else {
-            self.dwell(seconds);
-        }
     }
 
     /// Moves along an element with the beam on.
@@ -341,33 +211,6 @@ impl<'d> Pen<'d> {
         self.at = to;
     }
 
-    fn rapid_line(&mut self, to: DVec2, height: &str) -> String {
-        self.with_feed(format!("G0{}{height}", self.xy_words(to)), self.rapid_feed.clone())
-    }
-
-    /// A rapid with its feed, if the dialect writes it and another one is in force.
-    fn with_feed(&mut self, mut line: String, feed: Option<String>) -> String {
-        if let Some(feed) = feed.filter(|feed| *feed != self.feed_in_force) {
-            let _ = write!(line, " F{feed}");
-            self.feed_in_force = feed;
-        }
-        line
-    }
-
-    fn dwell(&mut self, seconds: f64) {
-        if let Some(text) = self.dwell_text(seconds) {
-            self.lines.push(&text);
-        }
-    }
-
-    /// The line of a dwell; `None` if it rounds to 0 or the dialect has no dwell.
-    fn dwell_text(&self, seconds: f64) -> Option<String> {
-        // A macro that pierces gets the seconds as a value, whether the dialect has a dwell or not.
-        let Some(dwell) = &self.dialect.dwell else { return (seconds > 0.0).then(String::new) };
-        let time = fixed(seconds * dwell.unit.per_second(), dwell.decimals as usize).to_string();
-        (time != "0").then(|| format!("G4 {}{time}", dwell.word))
-    }
-
     fn set_air(&mut self, on: bool) {
         if self.air == on {
             return;
@@ -376,21 +219,6 @@ impl<'d> Pen<'d> {
             self.lines.push(if on { &air.on } else { &air.off });
         }
         self.air = on;
-    }
-
-    /// Moves to a height with the beam off, like every rapid.
-    pub(super) fn lower_to(&mut self, z: f64) {
-        if (self.z - z).abs() >= self.half_grid() {
-            self.leg(self.at, Some(z));
-        }
-    }
-
-    /// The Z word of the next height, which is then the head's.
-    fn z_word(&mut self, z: f64) -> String {
-        let place = if self.start.is_absolute() { z } else { z - self.z };
-        let height: Fixed = fixed(place / self.dialect.units.mm(), self.dialect.decimals.xy as usize);
-        self.z = z;
-        format!(" Z{height}")
     }
 
     fn push_all(&mut self, lines: Vec<String>) {
