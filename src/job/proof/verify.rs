@@ -22,7 +22,7 @@ pub struct Verified {
 }
 
 /// Verifies a certificate file for a drawing. `machine`: the machine that it should be for; `None`: that of the file. `decoder`:
-/// as in [`LoadOptions`].
+/// as in [`LoadOptions`](crate::job::LoadOptions).
 ///
 /// # Errors
 /// One sentence: why it proves nothing about this drawing and machine.

@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 
 impl Pen<'_> {
     /// Moves the head from wherever it is to the pen's position, unless the job starts where the head stands.
-    pub(in super::super) fn find_start(&mut self) {
+    pub(in crate::output::gcode) fn find_start(&mut self) {
         if self.start.is_absolute() {
             let line = self.rapid_line(self.at, "");
             self.lines.push(&line);
@@ -16,13 +16,13 @@ impl Pen<'_> {
     }
 
     /// Moves to a place with the beam off.
-    pub(in super::super) fn rapid(&mut self, to: DVec2) {
+    pub(in crate::output::gcode) fn rapid(&mut self, to: DVec2) {
         self.leg(self.rounded(to), None);
         self.wait_owed();
     }
 
     /// Moves to a place with the beam off and the head lifted: on the way, or before and after it.
-    pub(in super::super) fn lifted(&mut self, to: DVec2, lift: &Lift) {
+    pub(in crate::output::gcode) fn lifted(&mut self, to: DVec2, lift: &Lift) {
         let end = self.rounded(to);
         if self.same(self.at, end) {
             return self.rapid(to);
@@ -63,7 +63,7 @@ impl Pen<'_> {
     }
 
     /// Moves to a height with the beam off, like every rapid.
-    pub(in super::super) fn lower_to(&mut self, z: f64) {
+    pub(in crate::output::gcode) fn lower_to(&mut self, z: f64) {
         if (self.z - z).abs() >= self.half_grid() {
             self.leg(self.at, Some(z));
         }

@@ -7,7 +7,7 @@ use crate::number::fixed;
 
 impl Pen<'_> {
     /// Dwells for `seconds` with the beam on; writes nothing if that rounds to 0.
-    pub(in super::super) fn pierce(&mut self, pierce: &Pierce, seconds: f64) {
+    pub(in crate::output::gcode) fn pierce(&mut self, pierce: &Pierce, seconds: f64) {
         if self.dwell_text(seconds).is_none() {
             return;
         }
@@ -48,7 +48,7 @@ impl Pen<'_> {
     }
 
     /// Dwells for `seconds` with the beam off; writes nothing if that rounds to 0.
-    pub(in super::super) fn settle_dark(&mut self, seconds: f64) {
+    pub(in crate::output::gcode) fn settle_dark(&mut self, seconds: f64) {
         if self.dwell_text(seconds).is_none() {
             return;
         }
@@ -71,7 +71,7 @@ impl Pen<'_> {
     }
 
     /// Dwells for `seconds` after a rapid, which is dark, or where the beam goes off at rest.
-    pub(in super::super) fn wait(&mut self, seconds: f64) {
+    pub(in crate::output::gcode) fn wait(&mut self, seconds: f64) {
         if self.beam.goes_off_at_rest() {
             self.settle_dark(seconds);
         } else {
