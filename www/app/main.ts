@@ -14,6 +14,8 @@ import './styles/result.css';
 import './styles/dock.css';
 import './styles/table.css';
 import './styles/stage.css';
+import './styles/cards.css';
+import './styles/before-after.css';
 import './styles/narrow.css';
 import { keepForOffline } from './offline/register.js';
 import { startPage } from './page.js';
