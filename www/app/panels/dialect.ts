@@ -10,8 +10,7 @@ import { words } from '../core/words/index.js';
 /** `failed` gets the reason if the editor cannot be loaded. */
 export function dialectPanel(session: Session, edit: (change: (m: MachineProfile) => void) => void, failed: (sentence: string) => void): { root: HTMLElement; show(machine: MachineProfile): void } {
   const w = words.dialect;
-  const choice = select<string>((name) => edit((m) => (m.dialect = name)));
-  choice.root.classList.add('wide');
+  const choice = select<string>((name) => edit((m) => (m.dialect = name)), { wide: true });
   let editor: DialectEditor | null = null;
   const details = laterDetails(w.own, async () => (editor = (await import('./dialect-editor.js')).dialectEditor(session, edit)).root, failed);
   details.addEventListener('toggle', () => editor?.tryOut());

@@ -10,8 +10,7 @@ export function firstMachine(session: Session): HTMLElement {
   const choice = select<string>((name) => {
     const chosen = session.catalog.machines.find((m) => m.name === name);
     if (chosen) session.setMachine(structuredClone(chosen));
-  });
-  choice.root.classList.add('wide');
+  }, { wide: true });
   choice.root.setAttribute('aria-label', words.machine.which);
   let isAnswered = rememberedMachine() !== null;
   const keep = button(words.machine.keep, { class: 'small', onclick: () => {

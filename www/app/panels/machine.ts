@@ -94,13 +94,11 @@ export function machineControls(session: Session, notify: (sentence: string) => 
   const choice = select<string>((name) => {
     const chosen = session.catalog.machines.find((m) => m.name === name);
     if (chosen) session.setMachine(structuredClone(chosen));
-  });
+  }, { wide: true });
   const library = materials(session);
   const fitting = laterDetails(words.calibration.title, async () => (await import('./calibration.js')).calibration(session, notify), notify);
   choice.root.setAttribute('aria-label', words.machine.preset);
-  choice.root.classList.add('wide');
-  const travel = select<MachineProfile['travel']>((value) => edit((m) => (m.travel = value)));
-  travel.root.classList.add('wide');
+  const travel = select<MachineProfile['travel']>((value) => edit((m) => (m.travel = value)), { wide: true });
   const home = check(words.machine.home, (on) => edit((m) => (m.return_home = on)));
   const partialCuts = check(words.machine.partialCuts, (on) => edit((m) => {
     if (on) allowPartialCuts(m, PRE_CUT);

@@ -31,7 +31,7 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
   const mode = select<'drawn' | 'placed'>((chosen) => {
     const { loaded, placing } = session.state;
     if (loaded) session.setPlacing({ place: chosen === 'drawn' ? null : anchoredAt('lower-left', placing, loaded) });
-  });
+  }, { wide: true });
   const points = new Map(ANCHORS.map((anchor) => [anchor, radio(anchor, () => choosePoint(session, anchor))]));
   const picker = h('div', { class: 'nine', role: 'radiogroup', 'aria-label': words.placement.point },
     ...ROWS.flat().map((anchor) => points.get(anchor)!.root));

@@ -25,9 +25,8 @@ export function planPanel(session: Session): HTMLElement {
     if (value !== MORE) return session.setSearch({ method: value, parameters: {} });
     unfolded = true;
     void session.catalog.loadPapers().then(() => session.store.catalogChanged());
-  });
+  }, { wide: true });
   method.root.setAttribute('aria-label', words.plan.method);
-  method.root.classList.add('wide');
   const budget = select<number>((value) => session.setSearch({ seconds: value }));
   const about = h('p', { class: 'soft' });
   const source = h('p', { class: 'soft' });

@@ -110,9 +110,9 @@ interface Option<T> {
   label: string;
 }
 
-/** A choice from a list. Further options can follow in groups, each with a heading. */
-export function select<T extends string | number>(onChange: (value: T) => void): { root: HTMLSelectElement; fill(options: Option<T>[], chosen: T, groups?: Record<string, Option<T>[]>): void } {
-  const root = h('select');
+/** A choice from a list. Further options can follow in groups, each with a heading. `wide`: the names are long, so the list is as wide as the panel, and its tooltip is the whole name. */
+export function select<T extends string | number>(onChange: (value: T) => void, { wide = false } = {}): { root: HTMLSelectElement; fill(options: Option<T>[], chosen: T, groups?: Record<string, Option<T>[]>): void } {
+  const root = h('select', { class: wide && 'wide' });
   let values: T[] = [];
   let shown = '';
   root.addEventListener('change', () => {
@@ -129,6 +129,7 @@ export function select<T extends string | number>(onChange: (value: T) => void):
       if (now !== shown) root.replaceChildren(...options.map(item), ...headed.map(([label, list]) => h('optgroup', { label }, ...list.map(item))));
       shown = now;
       root.selectedIndex = values.indexOf(chosen);
+      if (wide) root.title = root.selectedOptions[0]?.text ?? '';
     },
   };
 }

@@ -252,7 +252,7 @@ export const de: Words = {
     pierce: 'Einstechzeit', preCut: 'Zeit eines Vorschnitts', preCutLength: 'Länge eines Vorschnitts', sharpAngle: 'Warten in Ecken unter', sharpTime: 'Wartezeit in einer Ecke', noPauses: 'kein Warten', kerf: 'Schnittfugenbreite',
     kerfHint: 'Teile behalten ihr gezeichnetes Maß: der Strahl ist um die halbe Schnittfuge versetzt. Umrisse im Abstand einer Schnittfuge werden einmal geschnitten. 0: der Strahl folgt den gezeichneten Linien.',
     beamOn: 'Verzögerung Strahl an', beamOff: 'Verzögerung Strahl aus', homeX: 'Start, x', homeY: 'Start, y', bedX0: 'Arbeitsbereich ab x', bedX1: 'Arbeitsbereich bis x', bedY0: 'Arbeitsbereich ab y', bedY1: 'Arbeitsbereich bis y', noBed: 'nicht bekannt', fullPower: 'Leistungswert bei voller Leistung',
-    material: 'Material', ownSetting: 'Wie die Maschine eingestellt ist', materialName: 'Name des Materials', saveMaterial: 'Einstellung speichern', removeMaterial: 'Einstellung löschen', materials: 'Materialbibliothek', materialsHint: 'Speichert Geschwindigkeit, Leistung, Durchgänge, Einstechzeit und Schnittfuge unter einem Namen. Die Bibliothek wird mit der Maschine gespeichert, exportiert und importiert.',
+    material: 'Material', ownSetting: 'Wie die Maschine eingestellt ist', materialName: 'Materialname', saveMaterial: 'Einstellung speichern', removeMaterial: 'Einstellung löschen', materials: 'Materialbibliothek', materialsHint: 'Speichert Geschwindigkeit, Leistung, Durchgänge, Einstechzeit und Schnittfuge unter einem Namen. Die Bibliothek wird mit der Maschine gespeichert, exportiert und importiert.',
     zSpeed: 'Geschwindigkeit der z-Achse', noZ: 'keine z-Achse',
     which: 'Welche Maschine schneidet?', keep: 'Diese Maschine behalten',
     own: 'Ihre Maschinen', name: 'Name Ihrer Maschine', notSaved: 'Dieser Browser speichert für diese Seite nichts: exportieren Sie die Maschine stattdessen in eine Datei.',
@@ -384,7 +384,7 @@ export const de: Words = {
   },
 
   quote: {
-    title: 'Angebot', notGiven: 'nicht angegeben', download: 'Den Bericht herunterladen', thickness: 'Dicke', density: 'Dichte', none: 'Das Angebot erscheint hier, wenn der Plan fertig ist.',
+    title: 'Angebot', notGiven: 'keine Angabe', download: 'Den Bericht herunterladen', thickness: 'Dicke', density: 'Dichte', none: 'Das Angebot erscheint hier, wenn der Plan fertig ist.',
     confidence: { high: 'Sehr verlässlich.', medium: 'Mäßig verlässlich.', low: 'Wenig verlässlich.' }, parts: 'Teile', different: (n, kinds) => `${n}, ${kinds} verschiedene`, area: 'Fläche der Teile', weight: 'Gewicht',
     hole: 'Engstes Loch', web: 'Schmalster Steg', against: (ratio) => ` · ${ratio} × Dicke`,
     part: (length, holes, w) => `${length} zu schneiden, ${counted(holes, w, 'Loch', 'Löcher')}`, and: 'Und', others: (n) => `${n} weitere Arten von Teilen`,
