@@ -116,8 +116,10 @@ it('the patterns of sentences are what the planner says, and every language has 
   const { SENTENCES, translated } = await bundled(SENTENCES_FILE);
   const source = planner();
   for (const [key, pattern] of Object.entries(SENTENCES)) {
-    // What is counted, "1 place" and "3 places", is put in as one value.
-    const uncounted = pattern.replace(/\b1 (shape is|shape|contour|place|part(?= lies))\b|\{\} (shapes are|shapes|parts(?= lie)|contours(?= left)|places|gaps)\b/g, '{}');
+    // What is counted, "1 place" and "3 places", is put in as one value; so are the verb after a number of pieces, and the handle of another contour.
+    const uncounted = pattern
+      .replace(/\b1 (shape is|shape|contour|place|part(?= lies)|piece|move crosses|pair of cuts)\b|\{\} (shapes are|shapes|parts(?= lie)|contours(?= left)|places|gaps|pieces|moves cross|pairs of cuts)\b/g, '{}')
+      .replace(/\blies?(?= on top of other)|\)(?=: both)/, '{}');
     for (const piece of uncounted.split(VALUE).map((text) => text.trim()).filter((text) => text.length > 8)) assert.ok(source.includes(piece.replace(/\.$/, '')), `${key}: ${piece}`);
   }
   for (const language of OTHERS) {
@@ -203,5 +205,29 @@ it('in inches, every length of a sentence is in inches, in every language', asyn
   for (const language of OTHERS) {
     const own = inChosenUnit(translated(await wordsOf(language), offBed));
     assert.deepEqual(own.match(/-?\d+(\.\d+)?/g), ['-0.5', '3.54', '0', '1.57', '0', '15.7', '0', '11.8'], `${language}: ${own}`);
+  }
+});
+
+it('what is found in a careless drawing and in a broken file is said in every language', async (t) => {
+  const { translated } = await bundled(SENTENCES_FILE);
+  const planner = await createPlanner();
+  t.after(() => planner.close());
+  const careless = readFileSync(join(APP, 'public', 'samples', 'gaps-and-copies.dxf'));
+  // A line of the file is missing within an entity.
+  const broken = Buffer.from(careless.toString().replace(/(LWPOLYLINE\r?\n(?:.*\r?\n){30}).*\r?\n/, '$1'));
+  for (const [what, file, options, codes] of [
+    ['careless', careless, {}, ['duplicate-removed', 'gap-closed', 'open-contour', 'crossing']],
+    ['broken', broken, {}, ['damaged-entity']],
+    ['broken, kept', broken, { keepDamaged: true }, ['damaged-entity']],
+  ]) {
+    const { findings } = await planner.load(file, 'plate', options);
+    for (const code of codes) {
+      const said = findings.filter((f) => f.code === code).map((f) => f.message);
+      assert.ok(said.length > 0, `${what}: ${code}`);
+      for (const language of OTHERS) {
+        const own = await wordsOf(language);
+        for (const sentence of said) assert.notEqual(translated(own, sentence), null, `${language} ${what}: ${sentence}`);
+      }
+    }
   }
 });
