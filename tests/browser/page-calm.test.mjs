@@ -70,7 +70,9 @@ test('distances are measured between ends and centres, to which clicks snap', as
   const [cx, cy] = [box.x + left + (stage.w - left - right) / 2, box.y + top + (stage.h - top - bottom) / 2];
   await page.mouse.click(cx - 60 * scale + 3, cy - 45 * scale + 3);
   await page.mouse.click(cx + 60 * scale - 3, cy + 45 * scale - 3);
-  await page.getByText('150 mm (x 120, y 90)').waitFor();
+  // The sheet shows it, and screen readers hear it; the notice that said what to click is gone.
+  await page.locator('#announcer').getByText('150 mm (x 120, y 90)').waitFor();
+  assert.equal(await page.locator('.notice').isVisible(), false);
   await shot(page, 'measured');
   await page.keyboard.press('Escape');
   assert.equal(await page.getByRole('button', { name: /^Measure/ }).getAttribute('aria-pressed'), 'false');

@@ -97,7 +97,7 @@ export async function startPage(): Promise<void> {
     drawing.findings.reveal(finding);
   };
   const placement = placementPanel(session, { drag: (on) => pointer.dragJob(on), showBed: () => showBed(session, viewport) });
-  const pointer: Pointer = new Pointer(canvas, scene, session, playback, selection, notices, showInList, (on) => placement.setDragging(on));
+  const pointer: Pointer = new Pointer(canvas, scene, session, playback, selection, notices, announcer, showInList, (on) => placement.setDragging(on));
   bindKeyboard({ session, playback, viewport, files, layout, pointer, selection, help, flip: tools.flip });
   let made: Promise<Alternatives> | null = null;
   // The planner of comparisons is loaded when somebody compares.

@@ -1,6 +1,7 @@
 /** The pointer on the stage: the tooltip, picking contours and findings, and choosing where the head starts. */
 
 import type { Finding } from 'kerfway';
+import type { Announcer } from '../core/announce.js';
 import { words } from '../core/words/index.js';
 import { describe, Tooltip } from '../panels/contour.js';
 import type { Playback } from '../playback/playback.js';
@@ -39,7 +40,7 @@ export class Pointer {
 
   constructor(
     private readonly canvas: HTMLCanvasElement, private readonly scene: Scene, private readonly session: Session, private readonly playback: Playback,
-    private readonly selection: Selection, private readonly notices: Notices, private readonly onFinding: (finding: Finding) => void,
+    private readonly selection: Selection, private readonly notices: Notices, private readonly announcer: Announcer, private readonly onFinding: (finding: Finding) => void,
     private readonly onDragging: (on: boolean) => void,
   ) {
     attachGestures(canvas, scene.viewport, {
@@ -113,7 +114,10 @@ export class Pointer {
     this.measured.points = points === null || points[1] ? [point] : [points[0], point];
     this.scene.highlight({ measured: this.measured.points });
     const [a, b] = this.measured.points;
-    if (b) this.notices.show(inWords([a, b]));
+    if (!b) return;
+    // It is written on the sheet.
+    this.notices.hide();
+    this.announcer.say(inWords([a, b]));
   }
 
   /** Lets dragging move the job on the bed, or ends it. Returns whether it was going on. */
