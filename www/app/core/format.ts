@@ -83,6 +83,11 @@ export function size(mm: number): string {
   return Math.abs(value) < 1 ? three(value) : upTo(value, unit === 'mm' ? 1 : 2);
 }
 
+/** The same with its unit: "297.5 mm". */
+export function width(mm: number): string {
+  return `${size(mm)} ${shownIn('mm').unit}`;
+}
+
 /** A coordinate, always with the decimals of `size`, so that a list of them is even: "6.0", "0.8". */
 export function coordinate(mm: number): string {
   const { unit, factor } = shownIn('mm');

@@ -73,7 +73,7 @@ function failed(known: Known): boolean {
 function factsOf(r: ProgramCheck): string[] {
   const w = words.preflight;
   return [
-    w.parts(r.parts, count(r.parts)),
+    w.outlines(r.parts, count(r.parts)),
     r.passes === 1 ? w.once(r.contours, count(r.contours)) : r.passes === 0 ? w.uneven(count(r.contours)) : w.times(r.contours, count(r.contours), count(r.passes)),
     r.dark_rapids ? w.dark : w.lit,
     ...(r.fits_bed === null ? [] : [r.fits_bed ? w.onBed : w.offBed]),

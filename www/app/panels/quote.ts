@@ -5,8 +5,8 @@
 
 import { button, h } from '../core/dom.js';
 import { save } from '../core/files.js';
-import { area, count, fixed, metres } from '../core/format.js';
-import { shownIn, typed } from '../core/lengths.js';
+import { area, count, fixed, metres, three, upTo, width } from '../core/format.js';
+import { typed } from '../core/lengths.js';
 import { doubtOf, downloadName, messageOf } from '../core/strings.js';
 import type { Material, Quote } from 'kerfway';
 import type { Session } from '../session/session.js';
@@ -64,11 +64,9 @@ function material(thickness: HTMLInputElement, density: HTMLInputElement): Mater
   return { ...(t === undefined ? {} : { thickness: t }), ...(d === undefined ? {} : { density: d }) };
 }
 
-
-const width = (mm: number) => `${fixed(mm / shownIn('mm').factor, shownIn('mm').unit === 'mm' ? 2 : 3)} ${shownIn('mm').unit}`;
-
 function facts(q: Quote): [string, string][] {
-  const against = (ratio: number | null) => (ratio === null ? '' : words.quote.against(fixed(ratio, 2)));
+  // Narrow places are measured along chords, to some hundredths of a millimetre: a hole of 6 mm has 5.98, which is shown as it was drawn.
+  const against = (ratio: number | null) => (ratio === null ? '' : words.quote.against(ratio < 1 ? three(ratio) : upTo(ratio, 1)));
   const parts = q.part_count === 1 ? count(1) : words.quote.different(count(q.part_count), count(q.parts.length));
   const all: [string, string][] = [[words.quote.parts, parts], [words.quote.area, area(q.net_area)]];
   if (q.weight !== null) all.push([words.quote.weight, q.weight < 1000 ? `${fixed(q.weight, 0)} g` : `${fixed(q.weight / 1000, 2)} kg`]);

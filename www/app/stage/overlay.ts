@@ -3,8 +3,7 @@
  * pre-cuts, the head. All of it takes a handful of strokes, in device pixels.
  */
 
-import { extent, size } from '../core/format.js';
-import { shownIn } from '../core/lengths.js';
+import { extent, width } from '../core/format.js';
 import type { BestPath, Insight } from 'kerfway';
 import type { Moment } from '../playback/timeline.js';
 import type { Palette } from './palette.js';
@@ -15,33 +14,52 @@ import { words } from '../core/words/index.js';
 
 type Pen = CanvasRenderingContext2D;
 
-const length = (mm: number) => `${size(mm)} ${shownIn('mm').unit}`;
+/** CSS pixels between the contours and the edge of the sheet that is drawn around them. */
+const PAD = 14;
 
-/** The sheet as an area with its width and height written at its edges. */
+/** The sheet as an area around what is drawn. */
 export function drawSheet(pen: Pen, view: View, palette: Palette, bounds: readonly number[]): void {
-  const r = view.ratio;
-  const x0 = view.x + bounds[0]! * view.scale, x1 = view.x + bounds[2]! * view.scale;
-  const y0 = view.y - bounds[3]! * view.scale, y1 = view.y - bounds[1]! * view.scale;
-  const pad = 14 * r;
+  const { x0, y0, x1, y1 } = onScreen(view, bounds);
+  const r = view.ratio, pad = PAD * r;
   pen.fillStyle = palette.sheet;
   pen.fillRect(x0 - pad, y0 - pad, x1 - x0 + 2 * pad, y1 - y0 + 2 * pad);
   pen.strokeStyle = palette.line;
   pen.lineWidth = r;
   pen.strokeRect(Math.round(x0 - pad) + 0.5, Math.round(y0 - pad) + 0.5, Math.round(x1 - x0 + 2 * pad), Math.round(y1 - y0 + 2 * pad));
-  pen.fillStyle = palette.text;
+}
+
+/** The width and height of what is drawn, at the edges of the sheet. */
+export function drawSizes(pen: Pen, view: View, palette: Palette, bounds: readonly number[]): void {
+  const { x0, y0, x1, y1 } = onScreen(view, bounds);
+  const r = view.ratio, pad = PAD * r;
   pen.font = `${12 * view.text}px system-ui, sans-serif`;
   pen.textAlign = 'center';
   pen.textBaseline = 'top';
-  if (x1 - x0 > 60 * r) pen.fillText(length(bounds[2]! - bounds[0]!), (x0 + x1) / 2, y1 + pad + 6 * r);
+  if (x1 - x0 > 60 * r) label(pen, palette.text, palette.ground, width(bounds[2]! - bounds[0]!), (x0 + x1) / 2, y1 + pad + 6 * r, r);
   if (y1 - y0 > 60 * r) {
     pen.save();
     pen.translate(x0 - pad - 6 * r, (y0 + y1) / 2);
     pen.rotate(-Math.PI / 2);
     pen.textBaseline = 'bottom';
-    pen.fillText(length(bounds[3]! - bounds[1]!), 0, 0);
+    label(pen, palette.text, palette.ground, width(bounds[3]! - bounds[1]!), 0, 0, r);
     pen.restore();
   }
   pen.textAlign = 'start';
+}
+
+/** A box of the sheet in device pixels. */
+function onScreen(view: View, [left = 0, bottom = 0, right = 0, top = 0]: readonly number[]) {
+  return { x0: view.x + left * view.scale, x1: view.x + right * view.scale, y0: view.y - top * view.scale, y1: view.y - bottom * view.scale };
+}
+
+/** A text that interrupts the lines which it meets, such as the edge of the bed. */
+function label(pen: Pen, color: string, ground: string, text: string, x: number, y: number, ratio: number): void {
+  pen.lineJoin = 'round';
+  pen.lineWidth = 6 * ratio;
+  pen.strokeStyle = ground;
+  pen.strokeText(text, x, y);
+  pen.fillStyle = color;
+  pen.fillText(text, x, y);
 }
 
 /** Widths of its label that the bed has to have: in the middle is the width of the sheet. */
@@ -49,21 +67,19 @@ const ROOM = 3;
 
 /** The bed of the machine, with its size below the corner. Its edge is red where the job does not lie on it. */
 export function drawBed(pen: Pen, view: View, palette: Palette, bed: readonly number[], fits: boolean): void {
+  const { x0, y0, x1, y1 } = onScreen(view, bed);
   const r = view.ratio;
-  const x0 = view.x + bed[0]! * view.scale, x1 = view.x + bed[2]! * view.scale;
-  const y0 = view.y - bed[3]! * view.scale, y1 = view.y - bed[1]! * view.scale;
   pen.strokeStyle = fits ? palette.faint : palette.red;
   pen.lineWidth = (fits ? 1 : 2) * r;
   pen.setLineDash([8 * r, 4 * r]);
   pen.strokeRect(x0, y0, x1 - x0, y1 - y0);
   pen.setLineDash([]);
-  pen.fillStyle = fits ? palette.text : palette.red;
   pen.font = `${12 * view.text}px system-ui, sans-serif`;
   pen.textBaseline = 'top';
   pen.textAlign = 'right';
-  const label = words.stage.bed(extent(bed[2]! - bed[0]!, bed[3]! - bed[1]!));
+  const text = words.stage.bed(extent(bed[2]! - bed[0]!, bed[3]! - bed[1]!));
   // Below, where no contours are, unless it would meet the width of the sheet there.
-  if (x1 - x0 > ROOM * pen.measureText(label).width) pen.fillText(label, x1, y1 + 4 * r);
+  if (x1 - x0 > ROOM * pen.measureText(text).width) label(pen, fits ? palette.text : palette.red, palette.ground, text, x1, y1 + 4 * r, r);
   pen.textAlign = 'start';
   pen.textBaseline = 'alphabetic';
 }

@@ -272,6 +272,7 @@ export class Scene {
     if (!loaded || !shapes) return;
     overlay.drawSheet(pen, view, palette, this.extent);
     if (this.bed) overlay.drawBed(pen, view, palette, this.bed.box, this.bed.fits);
+    overlay.drawSizes(pen, view, palette, this.extent);
     const playing = moment !== null && path !== null;
     this.blit('sheet', view, playing ? 0.25 : 1);
     if (playing) this.drawPlayed(view, shapes, path, moment);

@@ -368,7 +368,8 @@ export const en = {
   preflight: {
     title: 'Check of the program', unchecked: 'The program is not checked yet', soon: 'It is checked in a few seconds, or when you download it.',
     passes: 'The program passes its check', fails: 'The program fails its check and is not handed out',
-    parts: (n: number, written: string) => counted(n, written, 'part'), once: (n: number, written: string) => `${counted(n, written, 'contour')}, each cut once`,
+    /** What encloses a part by itself. A part that lies within a cut of its neighbour has no outline of its own. */
+    outlines: (n: number, written: string) => counted(n, written, 'closed outline'), once: (n: number, written: string) => `${counted(n, written, 'contour')}, each cut once`,
     times: (n: number, written: string, times: string) => `${counted(n, written, 'contour')}, each cut ${times} times`, uneven: (n: string) => `${n} contours, not all cut equally often`,
     dark: 'beam off on every rapid', lit: 'beam on during a rapid', onBed: 'on the bed', offBed: 'off the bed', read: (dialect: string) => `read back as ${dialect}`,
     more: (message: string, n: string) => `${message} And ${n} more like it.`,

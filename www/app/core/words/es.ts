@@ -371,7 +371,7 @@ export const es: Words = {
   preflight: {
     title: 'Comprobación del programa', unchecked: 'El programa aún no está comprobado', soon: 'Se comprueba en unos segundos, o al descargarlo.',
     passes: 'El programa pasa su comprobación', fails: 'El programa no pasa su comprobación y no se entrega',
-    parts, once: (n, w) => `${contours(n, w)}, cada uno cortado una vez`,
+    outlines: (n, w) => counted(n, w, 'contorno exterior cerrado', 'contornos exteriores cerrados'), once: (n, w) => `${contours(n, w)}, cada uno cortado una vez`,
     times: (n, w, times) => `${contours(n, w)}, cada uno cortado ${times} veces`, uneven: (n) => `${n} contornos, no todos cortados las mismas veces`,
     dark: 'haz apagado en cada rápido', lit: 'haz encendido en un rápido', onBed: 'sobre la mesa', offBed: 'fuera de la mesa', read: (dialect) => `releído como ${dialect}`,
     more: (message, n) => `${message} Y ${n} más como este.`,

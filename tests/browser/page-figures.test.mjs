@@ -1,0 +1,79 @@
+// Figures on the page agree with the drawing and with each other, and lines do not run through them.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { sample } from './page-drawings.mjs';
+import { shot, still } from './page-pictures.mjs';
+import { drop, openPage, openPlanned, phase, planned } from './page-support.mjs';
+
+/** A DXF of a rectangle, mm. */
+function rectangle(x, y, width, height) {
+  const corners = [[x, y], [x + width, y], [x + width, y + height], [x, y + height]].flatMap(([cx, cy]) => ['10', cx, '20', cy]);
+  const text = ['0', 'SECTION', '2', 'HEADER', '9', '$INSUNITS', '70', 4, '0', 'ENDSEC', '0', 'SECTION', '2', 'ENTITIES', '0', 'LWPOLYLINE', '8', 'CUT', '90', 4, '70', 1, ...corners, '0', 'ENDSEC', '0', 'EOF'];
+  return Buffer.from(`${text.join('\n')}\n`);
+}
+
+/** The text of a section of the panel once it says something. */
+async function sectionText(page, title, wanted) {
+  const section = page.locator('details.section', { has: page.getByRole('heading', { name: title, exact: true }) });
+  await section.evaluate((d) => (d.open = true));
+  await section.getByText(wanted).first().waitFor();
+  return section.textContent();
+}
+
+test('a quote shows the width of holes as they were drawn', async (t) => {
+  // Its holes have diameters of 24 and more, the plates lie 20 mm apart: measured along chords 23.99 and 19.99 mm.
+  const page = await openPlanned(t, 'co2-100w', 'tips.dxf', sample('tips-and-skeleton.dxf'));
+  const text = await sectionText(page, 'Quote', 'Narrowest hole');
+  assert.match(text, /Narrowest hole24 mm/);
+  assert.match(text, /Narrowest web20 mm/);
+  await page.getByLabel(/^Thickness/).fill('15');
+  await page.keyboard.press('Tab');
+  await page.waitForFunction(() => document.querySelector('#sections').textContent.includes('× thickness'));
+  assert.match(await sectionText(page, 'Quote', 'Narrowest hole'), /Narrowest hole24 mm · 1\.6 × thickness/);
+});
+
+test('the check of the program counts outlines, which may be fewer than the parts', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
+  await phase(page, 'planning', 'done');
+  // Two of its rectangles share a side, which is cut once: only one of them is cut as a whole.
+  await drop(page, 'careless.dxf', sample('gaps-and-copies.dxf'));
+  await planned(page, 'careless.dxf', 'done');
+  assert.match(await sectionText(page, 'Drawing', /parts/), /6 parts/);
+  const check = page.locator('.preflight');
+  await check.getByText('closed outlines').waitFor();
+  assert.match(await check.textContent(), /5 closed outlines · 9 contours, each cut once/);
+  assert.doesNotMatch(await check.textContent(), /parts/);
+});
+
+test('the width of the sheet interrupts the edge of the bed', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4&machine=co2-100w' });
+  await phase(page, 'done');
+  // The edge of the bed, y = 0, is where the middle of the text is: 26 pixels below the drawing. It is red, because the drawing is left of the bed.
+  const scale = await page.evaluate(() => {
+    const { clientWidth, clientHeight } = document.querySelector('#canvas');
+    return 0.94 * Math.min((clientWidth - 40 - 60) / 400, (clientHeight - 60 - 40) / 200);
+  });
+  await drop(page, 'edge.dxf', rectangle(-100, 26 / scale, 400, 200));
+  await planned(page, 'edge.dxf', 'done');
+  await still(page);
+  await shot(page, 'size-on-bed-edge');
+  const struck = await page.evaluate((scale) => {
+    const canvas = document.querySelector('#canvas');
+    const pen = document.createElement('canvas').getContext('2d');
+    pen.fillStyle = getComputedStyle(document.body).getPropertyValue('--red-mark').match(/#\w+/)[0];
+    pen.fillRect(0, 0, 1, 1);
+    const line = [...pen.getImageData(0, 0, 1, 1).data];
+    const middle = { x: 40 + (canvas.clientWidth - 100) / 2, y: 60 + (canvas.clientHeight - 100) / 2 + 100 * scale + 26 };
+    /** Pixels with the colour of the edge, from one distance right of the middle to another. */
+    const edge = (from, to) => {
+      const { data } = canvas.getContext('2d').getImageData(Math.round(middle.x + from), Math.round(middle.y) - 3, to - from, 7);
+      let n = 0;
+      for (let i = 0; i < data.length; i += 4) if ([0, 1, 2].every((k) => Math.abs(data[i + k] - line[k]) < 24)) n += 1;
+      return n;
+    };
+    return { at: edge(-22, 22), beside: edge(60, 150) };
+  }, scale);
+  assert.ok(struck.beside > 30, `the edge of the bed is drawn: ${struck.beside} pixels`);
+  assert.ok(struck.at < 8, `and not through the text: ${struck.at} pixels`);
+});
