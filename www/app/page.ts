@@ -77,7 +77,8 @@ export async function startPage(): Promise<void> {
     open: () => files.choose(), sample: (sample) => files.chooseSample(sample),
     table: () => layout.toggleTable(), help: () => void help.open(), panel: () => layout.togglePanel(), restart: () => void restart(), notKept: () => notify(words.page.nothingKept),
   });
-  const layout = new Layout(viewport, { stage: element('stage'), hint: element('hint'), toolbar: tools.root, table: selection.table, card: selection.card.root, toggles: top.toggles });
+  const question = questionCard(session);
+  const layout = new Layout(viewport, { stage: element('stage'), hint: element('hint'), toolbar: tools.root, table: selection.table, card: selection.card.root, question, toggles: top.toggles });
 
   const help = new Help(notify);
   const showPlaceOf = (finding: Finding) => {
@@ -102,7 +103,11 @@ export async function startPage(): Promise<void> {
   let made: Promise<Alternatives> | null = null;
   // The planner of comparisons is loaded when somebody compares.
   const alternatives = () => (made ??= import('./session/alternatives.js').then((module) => new module.Alternatives(session)));
-  const orders = new BeforeAfter({ session, scene, playback, stage: element('stage'), alternatives, theme: () => theme.current, relayout: () => layout.update() });
+  const orders = new BeforeAfter({ session, scene, playback, stage: element('stage'), alternatives, theme: () => theme.current, relayout: (begins) => {
+    if (begins) selection.select(null);
+    layout.update();
+    if (begins) viewport.fit(false);
+  } });
   new JobView({ session, scene, playback, announcer, notices, selection, orders, showCommon: tools.common });
   preview.on('comparison', (comparison) => scene.highlight({ marks: comparison?.marks ?? [] }));
 
@@ -114,7 +119,7 @@ export async function startPage(): Promise<void> {
   element('dock').append(dock(session, { open: () => files.choose(), program: () => void files.download(session.state.machine?.takes ?? 'gcode'), sheet: () => layout.toggleSheet() }));
   dragSheet(document.querySelector('.dock-state')!, element('sections'), { open: () => document.body.classList.contains('sheet-open'), toggle: () => layout.toggleSheet() });
   element('playback').append(...playbackBar(playback));
-  element('stage').append(tools.root, orders.root, tools.legend, selection.card.root, questionCard(session), notices.failure, selection.table.root, notices.notice, pointer.tooltip.root);
+  element('stage').append(tools.root, orders.root, tools.legend, selection.card.root, question, notices.failure, selection.table.root, notices.notice, pointer.tooltip.root);
 
   const showTheme = () => {
     scene.setTheme(theme.current);

@@ -21,8 +21,8 @@ interface Parts {
   stage: HTMLElement;
   alternatives(): Promise<Alternatives>;
   theme(): 'light' | 'dark';
-  /** The stage is divided in another way. */
-  relayout(): void;
+  /** The stage is divided in another way. `begins`: from now on there are two sheets. */
+  relayout(begins: boolean): void;
 }
 
 /** The plan as it is now, ready to be shown. */
@@ -35,6 +35,8 @@ export class BeforeAfter {
   readonly root: HTMLElement;
   private readonly buttons: HTMLButtonElement[];
   private readonly split: HTMLButtonElement;
+  /** Names the plan while another order is beside it. */
+  private readonly first = h('p', { class: 'sheet-label first-label soft number' });
   private order: Order = 'now';
   private beside = false;
   private now: Now | null = null;
@@ -45,7 +47,7 @@ export class BeforeAfter {
 
   constructor(private readonly parts: Parts) {
     this.buttons = ORDERS.map((order) => button(words.result.short[order], { class: 'quiet small', 'aria-pressed': order === 'now', title: words.result[order === 'greedy' ? 'greedy' : order], onclick: () => void this.choose(order) }));
-    this.split = button(words.result.beside, { icon: 'split', iconOnly: true, class: 'quiet small', 'aria-pressed': false, onclick: () => void this.setBeside(!this.beside) });
+    this.split = button(words.result.beside, { icon: 'split', iconOnly: true, class: 'quiet small split-toggle', 'aria-pressed': false, onclick: () => void this.setBeside(!this.beside) });
     this.root = h('div', { class: 'orders', role: 'group', 'aria-label': words.result.compare, hidden: true }, ...this.buttons, this.split);
     parts.playback.on('moment', () => this.showMoment());
     parts.session.store.on('loaded', () => this.reset());
@@ -97,14 +99,14 @@ export class BeforeAfter {
       this.second();
     }
     this.press();
-    this.parts.relayout();
+    this.parts.relayout(on);
     await this.update();
   }
 
   private leaveSplit(): void {
     this.beside = false;
     document.body.classList.remove('split');
-    this.parts.relayout();
+    this.parts.relayout(false);
     this.press();
   }
 
@@ -153,6 +155,7 @@ export class BeforeAfter {
     other.scene.setPrepared({ ...state, planFindings: [] });
     other.scene.setPath(found.path, now.travel);
     other.timeline = this.timeline(found, now);
+    this.first.textContent = `${words.result.now} · ${clock(now.total)}`;
     other.label.textContent = `${words.result[this.order === 'now' ? 'greedy' : this.order]} · ${clock(found.total)}`;
     this.showMoment();
   }
@@ -160,9 +163,9 @@ export class BeforeAfter {
   private second(): void {
     if (this.other) return;
     const canvas = h('canvas', { class: 'second', 'aria-hidden': 'true' });
-    const label = h('p', { class: 'second-label soft number' });
+    const label = h('p', { class: 'sheet-label second-label soft number' });
     this.parts.stage.insertBefore(canvas, this.parts.stage.querySelector('#hint'));
-    this.parts.stage.append(label);
+    this.parts.stage.append(this.first, label);
     this.other = { scene: new Scene(canvas, this.parts.scene.viewport, this.parts.theme()), canvas, label, timeline: null, loaded: null };
   }
 

@@ -5,6 +5,8 @@ import type { Viewport } from '../stage/viewport.js';
 
 /** Pixels around the fitted sheet. */
 const MARGIN = { top: 60, right: 24, bottom: 40, left: 40 };
+/** A card that is nearer to the edge of the stage, pixels, is at that edge. */
+const AT_EDGE = 12;
 /** When the table covers more than this share of the stage, the sheet is fitted as if the table were not there. */
 const MOST_COVERED = 0.7;
 
@@ -15,6 +17,8 @@ interface Parts {
   table: TableDrawer;
   /** The card of what is selected. */
   card: HTMLElement;
+  /** The card of a question about the drawing. */
+  question: HTMLElement;
   /** The buttons that open and close the table and the panel. */
   toggles: { table: HTMLButtonElement; panel: HTMLButtonElement };
 }
@@ -24,6 +28,7 @@ export class Layout {
     const sizes = new ResizeObserver(() => this.update());
     sizes.observe(parts.stage);
     sizes.observe(parts.card);
+    sizes.observe(parts.question);
   }
 
   hideHint(): void {
@@ -56,7 +61,7 @@ export class Layout {
 
   /** Tells the viewport its size, and what covers it. */
   update(): void {
-    const { stage, toolbar, table, card } = this.parts;
+    const { stage, toolbar, table, card, question } = this.parts;
     const box = stage.getBoundingClientRect();
     const cover = table.open ? table.root.getBoundingClientRect().width : 0;
     const side = cover < box.width * MOST_COVERED ? cover : 0;
@@ -65,12 +70,27 @@ export class Layout {
     const { offsetWidth: wide, offsetHeight: high } = toolbar;
     const isNarrow = wide > high;
     // On a narrow stage the card has the whole width, and the sheet the room above it.
-    const [right, bottom] = isNarrow ? [0, high + card.offsetHeight] : [wide, 0];
-    // Side by side, both stages show the same part of the sheet; on a narrow screen one is above the other.
-    const split = document.body.classList.contains('split');
-    const [across, down] = !split ? [1, 1] : box.width > box.height ? [2, 1] : [1, 2];
+    const [right, below] = isNarrow ? [0, high + card.offsetHeight] : [wide, 0];
+    // A question at the bottom of the stage lies over the toolbar; one in its middle leaves the sheet visible around it.
+    const asked = question.getBoundingClientRect();
+    const [top, bottom] = asked.height > 0 && asked.bottom > box.bottom - AT_EDGE ? [MARGIN.bottom, asked.height] : [MARGIN.top, below];
+    // Both sheets of a comparison show the same part of the drawing.
+    const division = divisionOf(box);
+    stage.dataset.division = division;
+    const isSplit = document.body.classList.contains('split');
+    const [across, down] = !isSplit ? [1, 1] : division === 'across' ? [2, 1] : [1, 2];
     this.viewport.resize(box.width / across, box.height / down, {
-      top: MARGIN.top, right: MARGIN.right + right, bottom: MARGIN.bottom + bottom, left: MARGIN.left + side,
+      top, right: MARGIN.right + right, bottom: MARGIN.bottom + bottom, left: MARGIN.left + side,
     });
   }
+}
+
+/** The least width and height of each of two sheets that can be compared, pixels. */
+const SHEET = { width: 300, height: 200 };
+
+/** How a stage is divided for two sheets: beside each other, or one above the other; `none` where there is no room for that. */
+function divisionOf({ width, height }: { width: number; height: number }): 'across' | 'down' | 'none' {
+  const across = width >= 2 * SHEET.width, down = height >= 2 * SHEET.height;
+  if (across && (width > height || !down)) return 'across';
+  return down ? 'down' : 'none';
 }

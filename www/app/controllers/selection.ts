@@ -25,14 +25,14 @@ export class Selection {
 
   constructor(
     private readonly session: Session, private readonly playback: Playback, private readonly scene: Scene,
-    private readonly announcer: Announcer, closeTable: () => void, tableLoaded: () => void,
+    private readonly announcer: Announcer, closeTable: () => void, private readonly relayout: () => void,
   ) {
     this.card = new ContourCard(session, playback, {
       toggleRule: (rule) => this.toggleSelected(rule), whole: () => this.selectWhole(), like: () => this.selectLike(), keepOrder: () => this.keepOrder(),
       group: () => this.toggleGroup(), choose: (what, value) => this.choose(what, value),
       step: (by) => this.stepBy(by), close: () => this.select(null),
     });
-    this.table = new TableDrawer(session, playback, { select: (contour) => this.reveal(contour), shift: (contour, to) => this.shift(contour, to), close: closeTable, loaded: tableLoaded });
+    this.table = new TableDrawer(session, playback, { select: (contour) => this.reveal(contour), shift: (contour, to) => this.shift(contour, to), close: closeTable, loaded: relayout });
   }
 
   get contours(): readonly number[] {
@@ -101,6 +101,8 @@ export class Selection {
   /** Selects a contour, moves the view to it if needed, and announces it. */
   reveal(contour: number): void {
     this.select(contour);
+    // A sheet that is fitted makes room for the card, which shows the contour without moving the view.
+    this.relayout();
     const box = this.scene.boxOf(contour);
     const { offsetLeft, offsetTop, offsetWidth } = this.card.root;
     if (box) this.scene.viewport.reveal(box, { right: offsetLeft + offsetWidth, top: offsetTop });

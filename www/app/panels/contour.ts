@@ -88,25 +88,34 @@ export class ContourCard {
     this.shown = contours;
     const whole = parts.whole(contours), like = parts.isGrouped ? parts.like(contours) : [];
     const topmost = contours.filter((c) => !contours.includes(loaded.contours[c]?.inside ?? -1));
-    const choices = !contours.every((c) => isDrawn(loaded, c)) ? [] : [
-      ...RULES.map((rule) => button(words.contour.rules[rule], { class: 'quiet small rule', 'aria-pressed': holds(load, loaded, contours, rule), onclick: () => actions.toggleRule(rule) })),
+    const drawn = contours.every((c) => isDrawn(loaded, c));
+    const rules = !drawn ? [] : RULES.map((rule) => button(words.contour.rules[rule], { class: 'quiet small rule', 'aria-pressed': holds(load, loaded, contours, rule), onclick: () => actions.toggleRule(rule) }));
+    const others = !drawn ? [] : [
       contours.length > 1 && button(words.contour.group, { class: 'quiet small', title: words.contour.groupKey, 'aria-pressed': groupOf(load, loaded, contours) !== undefined, onclick: () => actions.group() }),
       topmost.length > 1 && button(words.contour.keepOrder, { class: 'quiet small', title: words.contour.keepOrderHint, onclick: () => actions.keepOrder() }),
       whole.length > contours.length && button(words.contour.whole, { class: 'quiet small', title: words.contour.wholeKey, onclick: () => actions.whole() }),
       like.length > contours.length && button(words.contour.like(count(like.length)), { class: 'quiet small', title: words.contour.likeKey, onclick: () => actions.like() }),
     ];
-    const rest = [...choices, ...this.choices(loaded, contours)];
+    const rest = [...others, ...this.choices(loaded, contours)].filter((control) => control !== null && control !== false);
     const text = h('div', { class: 'contour-text' }, h('strong', {}, name), h('span', { class: 'soft number' }, facts), why && h('span', { class: 'soft why' }, why));
     const controls = [
-      h('div', { class: 'contour-steps' },
+      h('div', { class: 'contour-steps' }, rest.length > 0 && this.unfold(),
         single !== null && button(words.contour.before, { icon: 'back', iconOnly: true, class: 'quiet small', onclick: () => actions.step(-1) }),
         single !== null && button(words.contour.next, { icon: 'next', iconOnly: true, class: 'quiet small', onclick: () => actions.step(1) }),
         button(words.contour.close, { icon: 'close', iconOnly: true, class: 'quiet small', onclick: () => actions.close() })),
-      h('div', { class: 'contour-rules', role: 'group', 'aria-label': words.contour.actions }, ...rest)];
+      h('div', { class: 'contour-rules', role: 'group', 'aria-label': words.contour.actions }, ...rules, h('div', { class: 'contour-rest' }, ...rest))];
     // A search brings other facts ten times a second. The controls stay, so that an open list is not closed.
     const [before, ...shown] = this.root.children;
     if (before && controls.every((c, i) => shown[i]?.isEqualNode(c))) before.replaceWith(text);
     else refill(this.root, text, ...controls);
+  }
+
+  /** Shows on a phone what else can be chosen, which would cover the sheet. Elsewhere it is always shown. */
+  private unfold(): HTMLButtonElement {
+    const { classList } = this.root;
+    const more = button(words.contour.more, { icon: 'more', iconOnly: true, class: 'quiet small contour-more', 'aria-expanded': classList.contains('unfolded') });
+    more.addEventListener('click', () => more.setAttribute('aria-expanded', String(classList.toggle('unfolded'))));
+    return more;
   }
 
   /** The number of micro-joints, the lead and the corners of what is selected, where it can have some. */

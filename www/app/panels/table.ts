@@ -14,8 +14,8 @@ import type { Phase } from '../session/state.js';
 import { RowDrag } from './row-drag.js';
 import { words } from '../core/words/index.js';
 
-/** Height of a row, CSS pixels: on a phone it is as high as a finger needs. `styles/table.css` has the same. */
-const ROW = matchMedia('(max-width: 719px)').matches ? 44 : 32;
+/** Height of a row, CSS pixels: in a narrow window a row has two lines, and on a phone it is as high as a finger needs. `styles/table.css` has the same. */
+const ROW = matchMedia('(max-width: 899px)').matches ? 44 : 32;
 /** Rows that are kept above and below the visible ones. */
 const SPARE = 8;
 /** The column whose values have no unit of their own. */

@@ -9,7 +9,7 @@ import type { Session } from '../session/session.js';
 import type { Theme } from '../core/theme.js';
 import type { Queue } from '../session/queue.js';
 import { fileList } from './files.js';
-import { settingsMenu } from './settings.js';
+import { otherTheme, settingsMenu } from './settings.js';
 import { reasonOf } from '../core/strings.js';
 import { isTaken, sizeIn, unitChoices, unitName } from './question.js';
 import { words } from '../core/words/index.js';
@@ -44,11 +44,10 @@ export function topBar(session: Session, queue: Queue, theme: Theme, actions: To
   const panel = button(words.top.panel, { icon: 'panel', iconOnly: true, class: 'quiet panel-toggle', 'aria-expanded': true, 'aria-controls': 'panel', onclick: actions.panel });
 
   const showTheme = () => {
-    const dark = theme.current === 'dark';
-    const label = dark ? words.top.light : words.top.dark;
+    const label = otherTheme(theme);
     themes.title = label;
     themes.setAttribute('aria-label', label);
-    themes.replaceChildren(icon(dark ? 'sun' : 'moon'));
+    themes.replaceChildren(icon(theme.current === 'dark' ? 'sun' : 'moon'));
   };
   theme.on('change', showTheme);
   showTheme();
@@ -76,7 +75,7 @@ export function topBar(session: Session, queue: Queue, theme: Theme, actions: To
       button(words.top.open, { icon: 'open', class: 'quiet open', 'aria-label': words.top.openFile, onclick: actions.open }),
       samples, popover(samples, words.top.samples, list),
       h('div', { class: 'file' }, name.root, ...fileList(queue), units, unitMenu, measure),
-      h('div', { class: 'tools' }, undo, redo, table, ...settingsMenu(actions.restart, actions.notKept), themes, button(words.top.help, { icon: 'help', iconOnly: true, class: 'quiet', onclick: actions.help }), panel),
+      h('div', { class: 'tools' }, undo, redo, table, ...settingsMenu(theme, actions), themes, button(words.top.help, { icon: 'help', iconOnly: true, class: 'quiet help-opener', onclick: actions.help }), panel),
     ],
     toggles: { table, panel },
   };

@@ -138,7 +138,7 @@ export const de: Words = {
   },
 
   settings: {
-    title: 'Sprache und Längen', language: 'Sprache', lengths: 'Längen', units: { mm: 'Millimeter', in: 'Zoll' },
+    title: 'Einstellungen', language: 'Sprache', lengths: 'Längen', units: { mm: 'Millimeter', in: 'Zoll' },
     draft: 'Diese Übersetzung hat noch niemand geprüft, dessen Muttersprache Deutsch ist.', later: 'Mehrere Dateien sind offen; die Einstellung gilt, wenn Sie die Seite das nächste Mal öffnen.', reload: 'Jetzt neu laden',
   },
 
@@ -392,7 +392,7 @@ export const de: Words = {
 
   contour: {
     card: 'Ausgewählte Kontur', numbered: (n) => `Kontur ${n}`, place: (n, of) => `Nr. ${n} von ${of}`, part: (n) => `Teil ${n}`,
-    mark: 'Markierung', open: 'offen', outer: 'außen', inner: 'innen', begins: (time) => `Schnitt beginnt bei ${time}`, rules: { first: 'Zuerst', last: 'Zuletzt', mark: 'Markieren', exclude: 'Überspringen' }, actions: 'Was damit geschieht',
+    mark: 'Markierung', open: 'offen', outer: 'außen', inner: 'innen', begins: (time) => `Schnitt beginnt bei ${time}`, rules: { first: 'Zuerst', last: 'Zuletzt', mark: 'Markieren', exclude: 'Überspringen' }, more: 'Weitere Möglichkeiten', actions: 'Was damit geschieht',
     wholePart: (n) => `Teil ${n}`, selected: (n, w) => (n === 0 ? 'Nichts ausgewählt.' : `${contours(n, w)} ausgewählt.`),
     whole: 'Ganzes Teil', wholeKey: 'Das ganze Teil auswählen (W)', like: (n) => `Alle ${n} gleichen`, likeKey: 'Alles Gleiche auswählen (L)',
     group: 'Zusammenhalten', groupKey: 'Diese schneiden, ohne dass anderes dazwischenkommt (U)', joints: 'Stege', lead: 'Anfahrt', corners: 'Ecken', byRule: 'nach Regel',

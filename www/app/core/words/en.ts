@@ -134,7 +134,7 @@ export const en = {
   },
 
   settings: {
-    title: 'Language and lengths', language: 'Language', lengths: 'Lengths', units: { mm: 'Millimetres', in: 'Inches' },
+    title: 'Settings', language: 'Language', lengths: 'Lengths', units: { mm: 'Millimetres', in: 'Inches' },
     /** Empty in a language that a native reader has reviewed. */
     draft: '', later: 'Several files are open, so this takes effect when you next open the page.', reload: 'Reload now',
   },
@@ -390,7 +390,7 @@ export const en = {
 
   contour: {
     card: 'Selected contour', numbered: (n: number) => `Contour ${n}`, place: (n: string, of: string) => `No. ${n} of ${of}`, part: (n: string) => `part ${n}`,
-    mark: 'mark', open: 'open', outer: 'outer', inner: 'inner', begins: (time: string) => `cut begins at ${time}`, rules: { first: 'Cut first', last: 'Cut last', mark: 'Mark', exclude: 'Skip' }, actions: 'What to do with it',
+    mark: 'mark', open: 'open', outer: 'outer', inner: 'inner', begins: (time: string) => `cut begins at ${time}`, rules: { first: 'Cut first', last: 'Cut last', mark: 'Mark', exclude: 'Skip' }, more: 'More choices', actions: 'What to do with it',
     wholePart: (n: string) => `Part ${n}`, selected: (n: number, written: string) => (n === 0 ? 'Nothing selected.' : `${counted(n, written, 'contour')} selected.`),
     whole: 'Whole part', wholeKey: 'Select the whole part (W)', like: (n: string) => `All ${n} like this`, likeKey: 'Select everything like this (L)',
     group: 'Keep together', groupKey: 'Cut these without anything else in between (U)', joints: 'Joints', lead: 'Lead', corners: 'Corners', byRule: 'by rule',

@@ -138,7 +138,7 @@ export const es: Words = {
   },
 
   settings: {
-    title: 'Idioma y longitudes', language: 'Idioma', lengths: 'Longitudes', units: { mm: 'Milímetros', in: 'Pulgadas' },
+    title: 'Ajustes', language: 'Idioma', lengths: 'Longitudes', units: { mm: 'Milímetros', in: 'Pulgadas' },
     draft: 'Esta traducción aún no la ha revisado una persona nativa.', later: 'Hay varios archivos abiertos; el cambio se aplicará la próxima vez que abra la página.', reload: 'Recargar ahora',
   },
 
@@ -392,7 +392,7 @@ export const es: Words = {
 
   contour: {
     card: 'Contorno seleccionado', numbered: (n) => `Contorno ${n}`, place: (n, of) => `N.º ${n} de ${of}`, part: (n) => `pieza ${n}`,
-    mark: 'marca', open: 'abierto', outer: 'exterior', inner: 'interior', begins: (time) => `el corte empieza en ${time}`, rules: { first: 'Primero', last: 'Al final', mark: 'Marcar', exclude: 'Omitir' }, actions: 'Qué hacer con él',
+    mark: 'marca', open: 'abierto', outer: 'exterior', inner: 'interior', begins: (time) => `el corte empieza en ${time}`, rules: { first: 'Primero', last: 'Al final', mark: 'Marcar', exclude: 'Omitir' }, more: 'Más opciones', actions: 'Qué hacer con él',
     wholePart: (n) => `Pieza ${n}`, selected: (n, w) => (n === 0 ? 'Nada seleccionado.' : `${counted(n, w, 'contorno seleccionado', 'contornos seleccionados')}.`),
     whole: 'Pieza entera', wholeKey: 'Seleccionar la pieza entera (W)', like: (n) => `Los ${n} iguales`, likeKey: 'Seleccionar todo lo igual (L)',
     group: 'Mantener juntos', groupKey: 'Cortarlos sin nada más entre medias (U)', joints: 'Uniones', lead: 'Entrada', corners: 'Esquinas', byRule: 'según la regla',

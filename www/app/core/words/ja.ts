@@ -135,7 +135,7 @@ export const ja: Words = {
   },
 
   settings: {
-    title: '言語と長さ', language: '言語', lengths: '長さ', units: { mm: 'ミリメートル', in: 'インチ' },
+    title: '設定', language: '言語', lengths: '長さ', units: { mm: 'ミリメートル', in: 'インチ' },
     draft: 'この翻訳はまだ母語話者の確認を受けていません。', later: '複数のファイルが開いているため、次にページを開いたときに有効になります。', reload: '今すぐ再読み込み',
   },
 
@@ -232,7 +232,7 @@ export const ja: Words = {
   },
 
   question: {
-    size: 'この図面の大きさは？', in: (unit) => `${unit}として`, dpi: (dpi) => `ピクセルとして、1 インチ ${dpi}`,
+    size: 'この図面の大きさは？', in: (unit) => `${unit}として`, dpi: (dpi) => `1\u00a0インチあたり ${dpi}\u00a0ピクセル`,
     damaged: (_n, w) => `このファイルの図形 ${w} 個が破損しています`,
     about: () => 'ファイルの破損箇所の隣にあり、形が正しくない可能性があります。除外するか、残して 1 つずつ確認してください。',
     skip: '除外する', keep: '残す',
@@ -389,7 +389,7 @@ export const ja: Words = {
 
   contour: {
     card: '選択した輪郭', numbered: (n) => `輪郭 ${n}`, place: (n, of) => `${of} 個中 ${n} 番目`, part: (n) => `部品 ${n}`,
-    mark: 'マーク', open: '開', outer: '外側', inner: '内側', begins: (time) => `${time} に切断開始`, rules: { first: '最初に', last: '最後に', mark: 'マーク', exclude: '除外' }, actions: '操作',
+    mark: 'マーク', open: '開', outer: '外側', inner: '内側', begins: (time) => `${time} に切断開始`, rules: { first: '最初に', last: '最後に', mark: 'マーク', exclude: '除外' }, more: 'その他の操作', actions: '操作',
     wholePart: (n) => `部品 ${n}`, selected: (n, w) => (n === 0 ? '選択なし。' : `輪郭 ${w} 個を選択。`),
     whole: '部品全体', wholeKey: '部品全体を選択（W）', like: (n) => `同じもの ${n} 個すべて`, likeKey: '同じものをすべて選択（L）',
     group: 'まとめる', groupKey: '間にほかを挟まずに切断します（U）', joints: 'ジョイント', lead: 'リード', corners: '角', byRule: '規則どおり',

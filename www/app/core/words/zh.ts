@@ -135,7 +135,7 @@ export const zh: Words = {
   },
 
   settings: {
-    title: '语言和长度', language: '语言', lengths: '长度', units: { mm: '毫米', in: '英寸' },
+    title: '设置', language: '语言', lengths: '长度', units: { mm: '毫米', in: '英寸' },
     draft: '此翻译尚未经母语读者审阅。', later: '打开了多个文件，此设置在下次打开页面时生效。', reload: '立即重新加载',
   },
 
@@ -232,7 +232,7 @@ export const zh: Words = {
   },
 
   question: {
-    size: '这张图有多大？', in: (unit) => `以${unit}为单位`, dpi: (dpi) => `以像素为单位，每英寸 ${dpi}`,
+    size: '这张图有多大？', in: (unit) => `以${unit}为单位`, dpi: (dpi) => `每英寸 ${dpi}\u00a0像素`,
     damaged: (_n, w) => `此文件中有 ${w} 个图元损坏`,
     about: () => '它们位于文件的损坏处旁边，形状可能有误。请跳过它们，或保留并逐个检查。',
     skip: '跳过', keep: '保留',
@@ -389,7 +389,7 @@ export const zh: Words = {
 
   contour: {
     card: '选中的轮廓', numbered: (n) => `轮廓 ${n}`, place: (n, of) => `第 ${n} 个，共 ${of} 个`, part: (n) => `零件 ${n}`,
-    mark: '打标', open: '未闭合', outer: '外', inner: '内', begins: (time) => `${time} 开始切割`, rules: { first: '最先切割', last: '最后切割', mark: '打标', exclude: '跳过' }, actions: '如何处理',
+    mark: '打标', open: '未闭合', outer: '外', inner: '内', begins: (time) => `${time} 开始切割`, rules: { first: '最先切割', last: '最后切割', mark: '打标', exclude: '跳过' }, more: '更多操作', actions: '如何处理',
     wholePart: (n) => `零件 ${n}`, selected: (n, w) => (n === 0 ? '未选择。' : `已选择 ${w} 个轮廓。`),
     whole: '整个零件', wholeKey: '选择整个零件（W）', like: (n) => `全部 ${n} 个相同的`, likeKey: '选择所有相同的（L）',
     group: '放在一起', groupKey: '连续切割，中间不插入其他（U）', joints: '微连接', lead: '引入线', corners: '拐角', byRule: '按规则',
