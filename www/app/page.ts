@@ -29,6 +29,7 @@ import { Playback } from './playback/playback.js';
 import type { Alternatives } from './session/alternatives.js';
 import { readAddress } from './session/address.js';
 import { Keeper } from './session/keeper.js';
+import { isRefusedOffBed } from './session/off-bed.js';
 import { bedAround } from './session/placing.js';
 import { Preview } from './session/preview.js';
 import { fetchSample, SAMPLES } from './session/samples.js';
@@ -99,7 +100,12 @@ export async function startPage(): Promise<void> {
   };
   const placement = placementPanel(session, { drag: (on) => pointer.dragJob(on), showBed: () => showBed(session, viewport) });
   const pointer: Pointer = new Pointer(canvas, scene, session, playback, selection, notices, announcer, showInList, (on) => placement.setDragging(on));
-  bindKeyboard({ session, playback, viewport, files, layout, pointer, selection, help, flip: tools.flip });
+  const place = () => {
+    layout.showPanel();
+    placement.reveal();
+  };
+  const program = () => (isRefusedOffBed(session.state) ? place() : void files.download(session.state.machine?.takes ?? 'gcode'));
+  bindKeyboard({ session, playback, viewport, files, layout, pointer, selection, help, flip: tools.flip, program });
   let made: Promise<Alternatives> | null = null;
   // The planner of comparisons is loaded when somebody compares.
   const alternatives = () => (made ??= import('./session/alternatives.js').then((module) => new module.Alternatives(session)));
@@ -116,7 +122,7 @@ export async function startPage(): Promise<void> {
   element('sections').replaceChildren(
     firstMachine(session), drawing, machineSection(session, notify, { chooseHome: () => pointer.chooseHome(), placeJoints: (show) => pointer.togglePlacing(show) }), placement, planPanel(session),
     resultPanel(session, theme, { download: (kind) => void files.download(kind), saveProject: () => void files.saveProject(), saveReport: () => void files.saveReport(), copyProgram: () => void files.copyProgram() }, alternatives), quote.root);
-  element('dock').append(dock(session, { open: () => files.choose(), program: () => void files.download(session.state.machine?.takes ?? 'gcode'), sheet: () => layout.toggleSheet() }));
+  element('dock').append(dock(session, { open: () => files.choose(), program, place, sheet: () => layout.toggleSheet() }));
   dragSheet(document.querySelector('.dock-state')!, element('sections'), { open: () => document.body.classList.contains('sheet-open'), toggle: () => layout.toggleSheet() });
   element('playback').append(...playbackBar(playback));
   element('stage').append(tools.root, orders.root, tools.legend, selection.card.root, question, notices.failure, selection.table.root, notices.notice, pointer.tooltip.root);

@@ -25,14 +25,16 @@ interface Parts {
   selection: Selection;
   help: Help;
   flip(what: keyof StageSwitches): void;
+  /** Downloads what the machine takes. */
+  program(): void;
 }
 
-export function bindKeyboard({ session, playback, viewport, files, layout, pointer, selection, help, flip }: Parts): void {
+export function bindKeyboard({ session, playback, viewport, files, layout, pointer, selection, help, flip, program }: Parts): void {
   const { planning } = session;
   const zoomIn = () => viewport.zoom(ZOOM);
   const redo = () => session.redo();
   bindKeys({
-    o: () => files.choose(), g: () => void files.download(session.state.machine?.takes ?? 'gcode'),
+    o: () => files.choose(), g: program,
     s: () => planning.stop(),
     p: () => (session.state.phase === 'paused' ? planning.resume() : planning.pause()),
     k: () => planning.keepImproving(),

@@ -54,6 +54,13 @@ export class Layout {
     document.querySelector('.sheet-toggle')?.setAttribute('aria-expanded', String(open));
   }
 
+  /** Opens the panel; on a phone the bottom sheet that holds it. */
+  showPanel(): void {
+    const isPhone = document.querySelector('.sheet-toggle')?.checkVisibility() === true;
+    if (isPhone && !document.body.classList.contains('sheet-open')) this.toggleSheet();
+    if (document.body.classList.contains('panel-closed')) this.togglePanel();
+  }
+
   /** Closes the bottom sheet, which covers the stage. */
   closeSheet(): void {
     if (document.body.classList.contains('sheet-open')) this.toggleSheet();

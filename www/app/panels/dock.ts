@@ -8,6 +8,7 @@ import { fileName } from '../core/file-name.js';
 import { seconds, short, unbroken } from '../core/format.js';
 import { doneSentence } from '../core/strings.js';
 import type { Session } from '../session/session.js';
+import { isRefusedOffBed } from '../session/off-bed.js';
 import { isOptimal, type State } from '../session/state.js';
 import { words } from '../core/words/index.js';
 
@@ -17,6 +18,8 @@ export interface DockActions {
   sheet(): void;
   /** Downloads the file that the machine takes. */
   program(): void;
+  /** Shows where the job can be placed on the bed. */
+  place(): void;
 }
 
 export function dock(session: Session, actions: DockActions): HTMLElement {
@@ -31,10 +34,11 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
   const more = button(words.dock.more, { icon: 'next', onclick: () => session.planning.keepImproving() });
   const gcode = button(words.result.kinds.gcode, { icon: 'download', class: 'primary', onclick: actions.program });
   const gcodeLabel = gcode.querySelector('span')!;
+  const place = button(words.dock.place, { icon: 'move', class: 'primary', onclick: actions.place });
   const undo = button(words.dock.undo, { icon: 'undo', class: 'primary', onclick: () => session.undo() });
   const open = button(words.dock.choose, { icon: 'open', class: 'primary', onclick: actions.open });
   const sheet = button(words.dock.sheet, { icon: 'up', iconOnly: true, class: 'quiet sheet-toggle', 'aria-expanded': false, 'aria-controls': 'sections', onclick: actions.sheet });
-  const root = h('div', { class: 'dock' }, bar, name.root, h('div', { class: 'dock-state' }, h('div', {}, head, detail), sheet), h('div', { class: 'dock-actions' }, stop, pause, resume, more, gcode, undo, open));
+  const root = h('div', { class: 'dock' }, bar, name.root, h('div', { class: 'dock-state' }, h('div', {}, head, detail), sheet), h('div', { class: 'dock-actions' }, stop, pause, resume, more, gcode, place, undo, open));
 
   const show = (state: State) => {
     const { phase, progress } = state;
@@ -43,8 +47,9 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
     pause.hidden = phase !== 'planning';
     resume.hidden = phase !== 'paused';
     more.hidden = phase !== 'done' || state.reason === 'exhausted' || isOptimal(state);
-    gcode.hidden = phase !== 'done';
-    disable(gcode, failsCheck(state) && !isOffBed(state) ? words.dock.fails : '');
+    place.hidden = phase !== 'done' || !isRefusedOffBed(state);
+    gcode.hidden = phase !== 'done' || !place.hidden;
+    disable(gcode, failsCheck(state) ? words.dock.fails : '');
     setText(gcodeLabel, words.result.kinds[state.machine?.takes ?? 'gcode']);
     // A choice with which nothing can be planned is what to go back from; the drawing is not at fault.
     undo.hidden = phase !== 'ready' || state.error === null || !session.canUndo;
@@ -89,16 +94,11 @@ function detailOf(state: State): string {
   if (!progress || (phase !== 'planning' && phase !== 'paused' && phase !== 'done')) return '';
   const left = seconds(progress.summary.total_time - progress.summary.lower_bound);
   const bound = progress.summary.gap === null || isOptimal(state) || left === seconds(0) ? null : words.dock.gap(left);
-  const refused = isOffBed(state) ? words.dock.offBed : failsCheck(state) ? words.dock.fails : null;
+  const refused = isRefusedOffBed(state) ? words.dock.offBed : failsCheck(state) ? words.dock.fails : null;
   // Why there is no G-code comes first, and leaves no room for more than the gain.
   const pace = refused !== null || progress.moves === 0 ? null : phase === 'planning' ? words.dock.pace(short(Math.round(progress.rate))) : words.dock.moves(short(progress.moves));
   const gain = (state.baselines?.greedy.total_time ?? 0) - progress.summary.total_time;
   return unbroken([refused, gain > 0 ? words.dock.saved(seconds(gain)) : null, pace, bound].filter((part) => part !== null).join(', '));
-}
-
-/** Whether the job is refused because of its place. The button stays, and says so with what to do. */
-function isOffBed({ placing, planFindings }: State): boolean {
-  return !placing.allowOffBed && planFindings.some((f) => f.code === 'off-bed');
 }
 
 function failsCheck({ programFails, machine }: State): boolean {

@@ -7,6 +7,7 @@ import { sentenceOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
 import { type Anchor, ANCHORS, pointOf } from 'kerfway';
 import { anchoredAt, AS_DRAWN, fitsBed, jobBox, shiftOf } from '../session/placing.js';
+import { isRefusedOffBed } from '../session/off-bed.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
 import { check, field, section, select } from './section.js';
@@ -24,6 +25,8 @@ export interface PlacementActions {
 export interface PlacementPanel extends HTMLDetailsElement {
   /** Shows whether the job is being dragged. */
   setDragging(on: boolean): void;
+  /** Opens the section, with the focus on what brings the job onto the bed. */
+  reveal(): void;
 }
 
 export function placementPanel(session: Session, actions: PlacementActions): PlacementPanel {
@@ -54,9 +57,10 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
   const start = select<State['placing']['start']>((chosen) => session.setPlacing({ start: chosen }));
   const allow = check(words.placement.allow, (on) => session.setPlacing({ allowOffBed: on }));
   const fits = h('p', { class: 'soft number' });
-  const advice = h('p', { class: 'advice', role: 'status' });
+  const refused = h('strong', {}, words.dock.offBed);
+  const advice = h('p', { role: 'status' });
   const corner = button(words.placement.corner, { class: 'small', onclick: () => toCorner(session) });
-  const alert = h('div', { class: 'suggestion grave' }, advice, corner);
+  const alert = h('div', { class: 'suggestion grave' }, h('div', { class: 'advice stack' }, refused, advice), corner);
   const none = h('p', { class: 'soft' }, words.placement.noBed);
   body.append(h('div', { class: 'stack' }, none, field(words.placement.position, mode.root), where, h('div', { class: 'row' }, turnLeft, turnRight), h('div', { class: 'row' }, drag, show), field(words.placement.coordinates, start.root), fits, alert, allow.root));
 
@@ -82,6 +86,7 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
     const [x0, y0, x1, y1] = jobBox(placing, loaded);
     setText(fits, words.placement.reaches(size(x0), size(x1), size(y0), size(y1), shownIn('mm').unit));
     setText(advice, sentence);
+    refused.hidden = !isRefusedOffBed(session.state, 'gcode');
     alert.hidden = sentence === '';
     corner.hidden = !machine.bed || !roomFor(session.state);
     allow.root.hidden = sentence === '' && !placing.allowOffBed;
@@ -93,7 +98,12 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
   session.store.on('change', refresh);
   session.store.on('loaded', refresh);
   refresh();
-  return Object.assign(root, { setDragging: (on: boolean) => drag.setAttribute('aria-pressed', String(on)) });
+  const reveal = () => {
+    root.open = true;
+    root.scrollIntoView({ block: 'start' });
+    (corner.hidden ? mode.root : corner).focus({ preventScroll: true });
+  };
+  return Object.assign(root, { setDragging: (on: boolean) => drag.setAttribute('aria-pressed', String(on)), reveal });
 }
 
 /** Puts the lower left corner of the job at that of the bed. */

@@ -10,6 +10,7 @@ import { Latest } from '../core/latest.js';
 import { inChosenUnit } from '../core/lengths.js';
 import { messageOf } from '../core/strings.js';
 import { isKerfwayError, type ProgramCheck } from 'kerfway';
+import { isRefusedOffBed } from '../session/off-bed.js';
 import type { Session } from '../session/session.js';
 import { words } from '../core/words/index.js';
 import { mayFetchWriters } from '../offline/first-visit.js';
@@ -17,10 +18,18 @@ import { mayFetchWriters } from '../offline/first-visit.js';
 /** How many problems are listed. */
 const LISTED = 4;
 
-/** What is known of the program: nothing while there is no finished plan, `unchecked` until the check has been fetched and has run. */
-type Known = 'nothing' | { unchecked: string } | { refused: string } | { report: ProgramCheck };
+/** What is known of the program: nothing while there is no finished plan, or that none is written because of its place. */
+type Known = 'nothing' | 'off-bed' | Checked;
 
-export function preflight(session: Session, usable: (passed: boolean) => void): HTMLElement {
+/** One of these: why the check has not run yet, why the program cannot be checked, or what the check says. */
+interface Checked {
+  unchecked?: string;
+  refused?: string;
+  report?: ProgramCheck;
+}
+
+/** `refuse` gets why the program is not handed out; nothing if it may be. */
+export function preflight(session: Session, refuse: (why: string) => void): HTMLElement {
   const verdict = h('p', { class: 'verdict' });
   const facts = h('p', { class: 'soft' });
   const problems = h('ul', { class: 'problems' });
@@ -29,20 +38,23 @@ export function preflight(session: Session, usable: (passed: boolean) => void): 
 
   const show = (known: Known) => {
     root.hidden = known === 'nothing';
-    const [fails, unchecked, report] = [failed(known), known !== 'nothing' && 'unchecked' in known, known !== 'nothing' && 'report' in known ? known.report : null];
+    const { unchecked, refused, report }: Checked = typeof known === 'string' ? {} : known;
+    const fails = known === 'off-bed' || refused !== undefined || report?.passed === false;
+    const reason = known === 'off-bed' ? words.dock.offBed : words.preflight.fails;
     root.classList.toggle('fails', fails);
-    root.classList.toggle('unchecked', unchecked);
-    if (unchecked) verdict.replaceChildren(words.preflight.unchecked);
-    else verdict.replaceChildren(icon(fails ? 'warning' : 'check'), fails ? words.preflight.fails : words.preflight.passes);
-    facts.textContent = known === 'nothing' ? '' : 'report' in known ? unbroken(factsOf(known.report).join(' · ')) : 'refused' in known ? known.refused : known.unchecked;
+    root.classList.toggle('unchecked', unchecked !== undefined);
+    if (unchecked !== undefined) verdict.replaceChildren(words.preflight.unchecked);
+    else verdict.replaceChildren(icon(fails ? 'warning' : 'check'), fails ? reason : words.preflight.passes);
+    facts.textContent = report ? unbroken(factsOf(report).join(' · ')) : (refused ?? unchecked ?? '');
     const list = report?.problems ?? [];
     problems.replaceChildren(...list.slice(0, LISTED).map((p) => h('li', { class: p.severity }, p.count > 1 ? words.preflight.more(inChosenUnit(p.message), count(p.count - 1)) : inChosenUnit(p.message))));
     // What is not checked yet is checked while it is written, and is not handed out if it fails.
-    usable(!fails);
+    refuse(fails ? reason : '');
   };
   const make = async () => {
     const isLatest = latest.begin();
     if (session.state.phase !== 'done') return show('nothing');
+    if (isRefusedOffBed(session.state, 'gcode')) return show('off-bed');
     show({ unchecked: words.preflight.soon });
     await mayFetchWriters;
     if (!isLatest()) return;
@@ -64,10 +76,6 @@ export function preflight(session: Session, usable: (passed: boolean) => void): 
   });
   show('nothing');
   return root;
-}
-
-function failed(known: Known): boolean {
-  return known !== 'nothing' && ('refused' in known || ('report' in known && !known.report.passed));
 }
 
 function factsOf(r: ProgramCheck): string[] {

@@ -4,6 +4,7 @@ import { button, disable, h, setText } from '../core/dom.js';
 import { count, metres, millimetres, percent, seconds, unbroken } from '../core/format.js';
 import { type OutputKind, PROVEN, type Summary } from 'kerfway';
 import type { Alternatives } from '../session/alternatives.js';
+import { isRefusedOffBed } from '../session/off-bed.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
 import { messageOf } from '../core/strings.js';
@@ -42,9 +43,10 @@ export function resultPanel(session: Session, theme: Theme, { download, saveProj
   const copy = button(words.result.copy, { class: 'small', title: words.result.copyHint, onclick: copyProgram });
   const files = h('div', { class: 'downloads', role: 'group', 'aria-label': words.result.download },
     ...buttons.slice(0, 1), copy, ...buttons.slice(1), button(words.result.report, { class: 'small', title: words.result.reportHint, onclick: saveReport }), button(words.result.project, { class: 'small', title: words.result.projectHint, onclick: saveProject }));
-  const check = preflight(session, (passed) => {
-    for (const program of [buttons[0]!, copy]) disable(program, passed ? '' : words.preflight.fails);
-    session.store.programChecked(passed);
+  const check = preflight(session, (why) => {
+    DOWNLOADS.forEach((kind, i) => disable(buttons[i]!, kind === 'gcode' ? why : isRefusedOffBed(session.state, kind) ? words.dock.offBed : ''));
+    disable(copy, why);
+    session.store.programChecked(why === '');
   });
   const insights = h('div', { hidden: true });
   const stopWaiting = session.store.on('progress', () => {

@@ -177,7 +177,7 @@ export const de: Words = {
   dock: {
     progress: 'Fortschritt', stop: 'Stopp', pause: 'Pause', resume: 'Fortsetzen', more: 'Weiter verbessern', undo: 'Rückgängig', choose: 'DXF oder SVG wählen', sheet: 'Zeichnung, Maschine, Plan, Ergebnis',
     starting: 'Der Planer startet…', reading: (file) => `${file} wird gelesen…`, question: 'Vor dem Planen wird eine Antwort gebraucht.',
-    offBed: 'Nicht auf dem Arbeitsbereich, daher kein G-Code',
+    offBed: 'Nicht auf dem Arbeitsbereich, daher kein Programm', place: 'Auftrag platzieren',
     fails: 'Das Programm besteht seine Prüfung nicht, daher wird es nicht ausgegeben',
     nothing: 'Nichts zu schneiden: stellen Sie einen Layer auf Schneiden oder Markieren.', failed: 'Diese Datei kann nicht verwendet werden.', optimal: 'Optimal: es gibt keinen besseren Weg.',
     planning: (best) => (best === null ? 'Plant' : `Plant, bisher am besten ${best}`),

@@ -174,7 +174,7 @@ export const en = {
   dock: {
     progress: 'Progress', stop: 'Stop', pause: 'Pause', resume: 'Resume', more: 'Keep improving', undo: 'Undo', choose: 'Choose a DXF or SVG', sheet: 'Drawing, machine, plan, result',
     starting: 'Starting the planner…', reading: (file: string) => `Reading ${file}…`, question: 'An answer is needed first.',
-    offBed: 'Not on the bed, so no G-code', fails: 'The program fails its check, so no G-code',
+    offBed: 'Not on the bed, so no program', place: 'Place the job', fails: 'The program fails its check, so no G-code',
     nothing: 'Nothing to cut: set a layer to cut or mark.', failed: 'This file cannot be used.', optimal: 'Optimal: no better path exists.',
     planning: (best: string | null) => (best === null ? 'Planning' : `Planning, best so far ${best}`),
     paused: (best: string | null) => (best === null ? 'Paused' : `Paused, best so far ${best}`),

@@ -177,7 +177,7 @@ export const es: Words = {
   dock: {
     progress: 'Progreso', stop: 'Parar', pause: 'Pausa', resume: 'Reanudar', more: 'Seguir mejorando', undo: 'Deshacer', choose: 'Elegir un DXF o SVG', sheet: 'Dibujo, máquina, plan, resultado',
     starting: 'Iniciando el planificador…', reading: (file) => `Leyendo ${file}…`, question: 'Hace falta una respuesta antes de planificar.',
-    offBed: 'Fuera de la mesa, así que no hay G-code',
+    offBed: 'Fuera de la mesa, así que no hay programa', place: 'Colocar el trabajo',
     fails: 'El programa no pasa su comprobación, así que no se entrega',
     nothing: 'Nada que cortar: ponga una capa en cortar o marcar.', failed: 'Este archivo no se puede usar.', optimal: 'Óptimo: no existe un recorrido mejor.',
     planning: (best) => (best === null ? 'Planificando' : `Planificando, lo mejor hasta ahora ${best}`),

@@ -174,7 +174,7 @@ export const ja: Words = {
   dock: {
     progress: '進行', stop: '停止', pause: '一時停止', resume: '再開', more: '改善を続ける', undo: '元に戻す', choose: 'DXF または SVG を選ぶ', sheet: '図面、機械、計画、結果',
     starting: 'プランナーを起動しています…', reading: (file) => `${file} を読み込んでいます…`, question: '計画の前に回答が必要です。',
-    offBed: 'ベッドの上にないため、G コードはありません',
+    offBed: 'ベッドの上にないため、プログラムはありません', place: 'ベッドに置く',
     fails: 'プログラムが検査に合格しないため渡しません',
     nothing: '切断するものがありません。レイヤーを切断またはマークにしてください。', failed: 'このファイルは使えません。', optimal: '最適：これより良い経路はありません。',
     planning: (best) => (best === null ? '計画中' : `計画中、現在の最良 ${best}`),

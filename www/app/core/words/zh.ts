@@ -174,7 +174,7 @@ export const zh: Words = {
   dock: {
     progress: '进度', stop: '停止', pause: '暂停', resume: '继续', more: '继续改进', undo: '撤销', choose: '选择 DXF 或 SVG', sheet: '图、机器、方案、结果',
     starting: '正在启动规划器…', reading: (file) => `正在读取 ${file}…`, question: '规划前需要一个回答。',
-    offBed: '不在工作台上，因此没有 G 代码',
+    offBed: '不在工作台上，因此没有程序', place: '放到工作台上',
     fails: '程序未通过检查，因此不予输出',
     nothing: '没有可切割的内容：请将一个图层设为切割或打标。', failed: '无法使用这个文件。', optimal: '最优：不存在更好的路径。',
     planning: (best) => (best === null ? '规划中' : `规划中，目前最好 ${best}`),
