@@ -114,7 +114,7 @@ export async function startPage(): Promise<void> {
     layout.update();
     if (begins) viewport.fit(false);
   } });
-  new JobView({ session, scene, playback, announcer, notices, selection, orders, showCommon: tools.common });
+  new JobView({ session, scene, playback, announcer, notices, selection, orders, showStage: () => layout.closeSheet(), showCommon: tools.common });
   preview.on('comparison', (comparison) => scene.highlight({ marks: comparison?.marks ?? [] }));
 
   const quote = laterSection(words.quote.title, async (section) => (await import('./panels/quote.js')).quoteContent(session, section, notify), notify);

@@ -24,6 +24,8 @@ interface Parts {
   notices: Notices;
   selection: Selection;
   orders: BeforeAfter;
+  /** Closes what covers the stage on a phone. */
+  showStage(): void;
   /** Shows in the legend whether anything is cut once for two parts. */
   showCommon(shown: boolean): void;
 }
@@ -52,6 +54,7 @@ export class JobView {
     scene.setDrawing(loaded, state.extent, !same || turn !== this.turn);
     this.turn = turn;
     selection.selectAll(selected);
+    if (fresh) this.parts.showStage();
     const contours = activeContours(loaded).length;
     if (fresh) announcer.say(words.page.read(state.name, words.drawing.contours(contours, count(contours))));
   }

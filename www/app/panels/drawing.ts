@@ -93,6 +93,8 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
     // A field that is typed into does not stay for the layer of another drawing.
     if (fresh) layers.replaceChildren();
     show();
+    // What is said of another drawing is new; it has not moved from where the lines about the drawing before were.
+    if (fresh) body.append(content);
     // On a low screen the result comes first, unless the person should look at the drawing.
     if (fresh && !session.state.sample) root.open = innerHeight >= ROOMY || needsAttention(loaded);
   });

@@ -21,8 +21,10 @@ export function firstMachine(session: Session): HTMLElement {
   } });
   const root = h('section', { class: 'first-machine' }, h('p', {}, words.machine.which), choice.root, keep);
   const show = () => {
-    const { machine } = session.state;
-    root.hidden = machine === null || isAnswered;
+    const { machine, phase } = session.state;
+    // It has its place before the machines are known, so that the sections below stay where they are.
+    root.hidden = isAnswered || (machine === null && phase === 'failed');
+    choice.root.disabled = keep.disabled = machine === null;
     if (machine) choice.fill(session.catalog.machines.map((m) => ({ value: m.name, label: m.title })), machine.name);
   };
   session.store.on('change', show);
