@@ -182,11 +182,12 @@ test('after a reload, the machine of a sample and the units of a drawing are not
   await page.locator('.menu-item', { has: page.getByText('Perforated plate', { exact: true }) }).click();
   await planned(page, 'perforated.dxf', 'done');
   await page.reload();
-  await planned(page, 'sheet_500.dxf', 'done');
-  assert.equal((await plan(page)).machine.name, 'co2-100w');
+  await planned(page, 'perforated.dxf', 'done');
+  assert.equal((await plan(page)).machine.name, 'fibre-3kw-thin');
 
   const size = () => page.locator('.top .measure').textContent();
   await done(page, 'millimetres.dxf', grid(12));
+  assert.equal((await plan(page)).machine.name, 'co2-100w');
   const before = await size();
   await drop(page, 'unknown.dxf', sample('no-units.dxf'));
   await planned(page, 'unknown.dxf', 'question');

@@ -29,6 +29,7 @@ import { Playback } from './playback/playback.js';
 import type { Alternatives } from './session/alternatives.js';
 import { readAddress } from './session/address.js';
 import { Keeper } from './session/keeper.js';
+import { keepSample, keptSample } from './session/kept-sample.js';
 import { isRefusedOffBed } from './session/off-bed.js';
 import { bedAround } from './session/placing.js';
 import { Preview } from './session/preview.js';
@@ -44,7 +45,8 @@ export async function startPage(): Promise<void> {
   const element = (id: string) => document.getElementById(id)!;
   translate();
   // The sample is fetched, and the page is built, while the planner starts.
-  const first = SAMPLES[0]!;
+  const before = keptSample();
+  const first = before?.sample ?? SAMPLES[0]!;
   const sampleBytes = fetchSample(first);
   sampleBytes.catch(() => {}); // `openSample` reports it.
   const shared = readAddress();
@@ -89,6 +91,7 @@ export async function startPage(): Promise<void> {
     viewport.showPlace(...finding.at);
   };
   const keeper = new Keeper(session);
+  keepSample(session);
   const forget = async () => {
     await keeper.forget();
     notices.show(words.page.forgotten);
@@ -135,7 +138,7 @@ export async function startPage(): Promise<void> {
   theme.on('change', showTheme);
   showTheme();
 
-  await files.begin(keeper.last(location.hash === ''), () => void forget(), first, sampleBytes);
+  await files.begin(keeper.last(location.hash === ''), () => void forget(), first, sampleBytes, before?.load);
 }
 
 /** Shows the whole bed and the job. */

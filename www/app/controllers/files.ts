@@ -45,23 +45,23 @@ export class Files {
     void this.openSample(sample, fetchSample(sample));
   }
 
-  /** Begins with the job that this browser has kept, or with a sample; with nothing where somebody has chosen a file by then. */
-  async begin(kept: Promise<Project | null>, forget: () => void, sample: Sample, bytes: Promise<ArrayBuffer>): Promise<void> {
+  /** Begins with the job that this browser has kept, or with a sample; with nothing where somebody has chosen a file by then. `load`: how the sample was read before. */
+  async begin(kept: Promise<Project | null>, forget: () => void, sample: Sample, bytes: Promise<ArrayBuffer>, load?: LoadOptions): Promise<void> {
     const isLatest = this.latest.watch();
     const project = await kept;
     // Without a planner nothing can be opened.
     if (!isLatest() || this.session.state.phase === 'failed') return;
     const isBack = project !== null && (await this.bringBack(project, forget, isLatest));
-    if (isLatest() && !isBack) await this.openSample(sample, bytes);
+    if (isLatest() && !isBack) await this.openSample(sample, bytes, load);
   }
 
-  private async openSample(sample: Sample, bytes: Promise<ArrayBuffer>): Promise<void> {
+  private async openSample(sample: Sample, bytes: Promise<ArrayBuffer>, load: LoadOptions = { ...sample.options, ...this.shared }): Promise<void> {
     this.queue.leave();
     const isLatest = this.latest.begin();
     try {
       const content = await bytes;
       // A file that was dropped meanwhile is what the person wants.
-      if (isLatest()) await this.session.openSample(sample, content, { ...sample.options, ...this.shared }, isLatest);
+      if (isLatest()) await this.session.openSample(sample, content, load, isLatest);
     } catch (error) {
       if (isLatest()) this.session.drawing.refuse(sample.file, error);
     }

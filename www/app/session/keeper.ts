@@ -1,6 +1,6 @@
 /**
  * Keeps the current job in this browser, so that a reload, a crash or the next visit brings it back: the drawing, what was decided about it, and
- * its best plan. Samples are not kept. Nothing leaves the machine, and one click forgets everything.
+ * its best plan. Samples are not kept here (see `kept-sample.ts`). Nothing leaves the machine, and one click forgets everything.
  *
  * Every tab has a job of its own, so that tabs with the same file do not overwrite each other. A new tab begins with the newest job. Where many
  * tabs are open, one may delete the job of another, which stores it again as soon as somebody comes back to it.
