@@ -4,16 +4,18 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { grid } from './page-drawings.mjs';
 import { picture } from './page-pictures.mjs';
-import { download, drop, openPage, phase, planned, replanned, SIZES } from './page-support.mjs';
+import { download, drop, dropAll, openPage, phase, planned, replanned, SIZES } from './page-support.mjs';
 
 const REFUSED = 'Not on the bed, so no program';
 
-/** The page with a job that is wider than it may be where it is drawn, and fits elsewhere. */
+/** A sheet of 24 × 24 mm whose circles lie left of the bed. */
+const LEFT_OF_BED = Buffer.from(grid(4).toString().replace(/\n10\n([\d.]+)/g, (_all, x) => `\n10\n${Number(x) - 100}`));
+
+/** The page with a job that is off the bed where it is drawn, and fits elsewhere. */
 async function openOffBed(t, hash, size) {
   const { page } = await openPage(t, { size, hash: `seconds=0.4&${hash}` });
   await phase(page, 'planning', 'done');
-  // A sheet of 24 × 24 mm whose circles lie left of the bed.
-  await drop(page, 'off.dxf', Buffer.from(grid(4).toString().replace(/\n10\n([\d.]+)/g, (_all, x) => `\n10\n${Number(x) - 100}`)));
+  await drop(page, 'off.dxf', LEFT_OF_BED);
   await planned(page, 'off.dxf', 'done');
   return page;
 }
@@ -36,6 +38,8 @@ for (const [name, size] of Object.entries(SIZES)) {
     assert.equal(await bed.locator('.suggestion strong').textContent(), REFUSED);
     const corner = bed.getByRole('button', { name: 'Move to the corner' });
     assert.equal(await corner.evaluate((b) => b === document.activeElement), true);
+    // Both ways out are in sight.
+    for (const way of [corner, page.getByLabel('Write programs that leave the bed')]) assert.ok((await way.boundingBox()).y < (await page.locator('#dock').boundingBox()).y - 20);
     await picture(page, `off-bed-${name}`);
     await replanned(page, () => corner.press('Enter'));
     assert.deepEqual(await refused(page), []);
@@ -61,4 +65,21 @@ test('a machine that takes a drawing gets it wherever the job is', async (t) => 
   const { name } = await download(page, () => page.locator('.dock').getByRole('button', { name: 'DXF' }).click());
   assert.match(name, /^off-fibre-3kw-thin-.*-ordered\.dxf$/);
   assert.equal((await refused(page)).length, 4);
+});
+
+test('in a list of files, the same words say that a file has no program', async (t) => {
+  const { page } = await openPage(t, { size: SIZES.phone, hash: 'seconds=0.4&machine=co2-100w' });
+  await phase(page, 'planning', 'done');
+  await dropAll(page, [['off.dxf', LEFT_OF_BED], ['on.dxf', grid(4)]]);
+  await page.waitForFunction(() => document.querySelector('.queue').textContent === '2 of 2');
+  await page.locator('.queue').click();
+  assert.match(await page.getByRole('button', { name: /^off\.dxf/ }).textContent(), new RegExp(`${REFUSED}$`));
+});
+
+test('a notice on a phone lies above the toolbar', async (t) => {
+  const { page } = await openPage(t, { size: SIZES.phone, hash: 'seconds=0.4' });
+  await phase(page, 'done');
+  await page.keyboard.press('d');
+  const [notice, tools] = [await page.locator('.notice').boundingBox(), await page.locator('.toolbar').boundingBox()];
+  assert.ok(notice.y + notice.height <= tools.y, JSON.stringify({ notice, tools }));
 });

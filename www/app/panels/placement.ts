@@ -101,6 +101,8 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
   const reveal = () => {
     root.open = true;
     root.scrollIntoView({ block: 'start' });
+    // What can be done about it is at the end, which a phone has no room for.
+    allow.root.scrollIntoView({ block: 'nearest' });
     (corner.hidden ? mode.root : corner).focus({ preventScroll: true });
   };
   return Object.assign(root, { setDragging: (on: boolean) => drag.setAttribute('aria-pressed', String(on)), reveal });

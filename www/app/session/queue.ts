@@ -8,6 +8,7 @@ import { Emitter } from '../core/emitter.js';
 import { Latest } from '../core/latest.js';
 import { messageOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
+import { isRefusedOffBed } from './off-bed.js';
 import type { Session } from './session.js';
 
 /** `question`: the file needs an answer from the person; the others are planned meanwhile. */
@@ -114,7 +115,7 @@ export class Queue extends Emitter<Events> {
         const gcode = (await this.session.output('gcode')) as string;
         this.end(item, 'done', { gcode, seconds, machine: state.machine });
       } catch (error) {
-        this.end(item, 'failed', { sentence: messageOf(error) });
+        this.end(item, 'failed', { sentence: isRefusedOffBed(state, 'gcode') ? words.dock.offBed : messageOf(error) });
       }
     }
   }
