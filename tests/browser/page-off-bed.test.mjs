@@ -38,6 +38,7 @@ for (const [name, size] of Object.entries(SIZES)) {
     assert.equal(await bed.locator('.suggestion strong').textContent(), REFUSED);
     const corner = bed.getByRole('button', { name: 'Move to the corner' });
     assert.equal(await corner.evaluate((b) => b === document.activeElement), true);
+    assert.equal(await page.evaluate(() => document.scrollingElement.scrollTop), 0, 'the page itself stays where it is');
     // Both ways out are in sight.
     for (const way of [corner, page.getByLabel('Write programs that leave the bed')]) assert.ok((await way.boundingBox()).y < (await page.locator('#dock').boundingBox()).y - 20);
     await picture(page, `off-bed-${name}`);

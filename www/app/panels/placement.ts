@@ -100,9 +100,10 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
   refresh();
   const reveal = () => {
     root.open = true;
-    root.scrollIntoView({ block: 'start' });
-    // What can be done about it is at the end, which a phone has no room for.
-    allow.root.scrollIntoView({ block: 'nearest' });
+    // The panel alone is scrolled: `scrollIntoView` moves the whole page as well. What can be done about it is at the end, which a phone has no room for beside the rest.
+    const panel = root.parentElement!;
+    const [shown, whole, end] = [panel, root, allow.root].map((e) => e.getBoundingClientRect()) as [DOMRect, DOMRect, DOMRect];
+    panel.scrollTop += Math.max(whole.top - shown.top, end.bottom - shown.bottom);
     (corner.hidden ? mode.root : corner).focus({ preventScroll: true });
   };
   return Object.assign(root, { setDragging: (on: boolean) => drag.setAttribute('aria-pressed', String(on)), reveal });
