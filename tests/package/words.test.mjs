@@ -231,3 +231,18 @@ it('what is found in a careless drawing and in a broken file is said in every la
     }
   }
 });
+
+it('one thing is said as one', async () => {
+  const [en, de, es] = await Promise.all(['en', 'de', 'es'].map(wordsOf));
+  const said = (n) => [en, de, es].map(({ dock, quote, drawing: { preview } }) => [dock.moves(n, `${n}`), quote.others(n, `${n}`), preview.contours('9', `${n}`, n)]);
+  assert.deepEqual(said(1), [
+    ['1 move', '1 other kind of part', '1 contour instead of 9'],
+    ['1 Zug', '1 weitere Art von Teilen', '1 Kontur statt 9'],
+    ['1 movimiento', '1 tipo de piezas más', '1 contorno en vez de 9'],
+  ]);
+  assert.deepEqual(said(3), [
+    ['3 moves', '3 other kinds of parts', '3 contours instead of 9'],
+    ['3 Züge', '3 weitere Arten von Teilen', '3 Konturen statt 9'],
+    ['3 movimientos', '3 tipos de piezas más', '3 contornos en vez de 9'],
+  ]);
+});

@@ -75,6 +75,6 @@ function facts(q: Quote): [string, string][] {
   const listed = q.parts.slice(0, LISTED);
   const least = Math.min(...listed.map((p) => p.net_area));
   for (const p of listed) all.push([`${count(p.count)} × ${area(p.net_area, least)}`, words.quote.part(metres(p.cut_length), p.holes, count(p.holes))]);
-  if (q.parts.length > LISTED) all.push([words.quote.and, words.quote.others(count(q.parts.length - LISTED))]);
+  if (q.parts.length > LISTED) all.push([words.quote.and, words.quote.others(q.parts.length - LISTED, count(q.parts.length - LISTED))]);
   return all;
 }

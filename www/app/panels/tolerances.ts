@@ -121,7 +121,7 @@ function tolerance({ label, least, most }: Tolerance, onTurn: (mm: number | null
 
 function inWords({ joins, opens, removals, contours, openContours, elements }: Comparison): string {
   const { preview } = words.drawing;
-  const change = (of: readonly [number, number], say: (now: string, then: string) => string) => (of[0] === of[1] ? '' : say(count(of[0]), count(of[1])));
+  const change = (of: readonly [number, number], say: (now: string, then: string, n: number) => string) => (of[0] === of[1] ? '' : say(count(of[0]), count(of[1]), of[1]));
   const parts = [
     joins > 0 ? preview.joins(joins, count(joins)) : '', opens > 0 ? preview.opens(opens, count(opens)) : '', removals > 0 ? preview.removals(removals, count(removals)) : '',
     change(contours, preview.contours), change(openContours, preview.open), joins + opens + removals === 0 ? change(elements, preview.elements) : '',

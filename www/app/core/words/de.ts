@@ -182,7 +182,7 @@ export const de: Words = {
     nothing: 'Nichts zu schneiden: stellen Sie einen Layer auf Schneiden oder Markieren.', failed: 'Diese Datei kann nicht verwendet werden.', optimal: 'Optimal: es gibt keinen besseren Weg.',
     planning: (best) => (best === null ? 'Plant' : `Plant, bisher am besten ${best}`),
     paused: (best) => (best === null ? 'Angehalten' : `Angehalten, bisher am besten ${best}`),
-    saved: (time) => `${time} gespart`, pace: (moves) => `${moves} Züge/s`, moves: (moves) => `${moves} Züge`,
+    saved: (time) => `${time} gespart`, pace: (moves) => `${moves} Züge/s`, moves: (n, w) => counted(n, w, 'Zug', 'Züge'),
     gap: (time) => `höchstens ${time} noch zu gewinnen`,
     done: {
       exhausted: 'Fertig. Dieses Verfahren findet nichts Besseres.',
@@ -198,7 +198,7 @@ export const de: Words = {
     within: (least, most) => `Geben Sie einen Wert von ${least} bis ${most} ein.`,
     preview: {
       joins: (n, w) => `${counted(n, w, 'Lücke würde', 'Lücken würden')} geschlossen`, opens: (n, w) => `${counted(n, w, 'Verbindung würde', 'Verbindungen würden')} geöffnet`,
-      removals: (n, w) => `${counted(n, w, 'Stück würde', 'Stücke würden')} verschwinden`, contours: (now, then) => `${then} Konturen statt ${now}`,
+      removals: (n, w) => `${counted(n, w, 'Stück würde', 'Stücke würden')} verschwinden`, contours: (now, then, n) => `${contours(n, then)} statt ${now}`,
       open: (now, then) => `${then} davon offen statt ${now}`, elements: (now, then) => `${then} Linien und Bögen statt ${now}`,
       nothing: 'Nichts würde sich ändern.', sentence: (all) => `${all.join(', ')}.`,
     },
@@ -387,7 +387,7 @@ export const de: Words = {
     title: 'Angebot', notGiven: 'keine Angabe', download: 'Den Bericht herunterladen', thickness: 'Dicke', density: 'Dichte', none: 'Das Angebot erscheint hier, wenn der Plan fertig ist.',
     confidence: { high: 'Sehr verlässlich.', medium: 'Mäßig verlässlich.', low: 'Wenig verlässlich.' }, parts: 'Teile', different: (n, kinds) => `${n}, ${kinds} verschiedene`, area: 'Fläche der Teile', weight: 'Gewicht',
     hole: 'Engstes Loch', web: 'Schmalster Steg', against: (ratio) => ` · ${ratio} × Dicke`,
-    part: (length, holes, w) => `${length} zu schneiden, ${counted(holes, w, 'Loch', 'Löcher')}`, and: 'Und', others: (n) => `${n} weitere Arten von Teilen`,
+    part: (length, holes, w) => `${length} zu schneiden, ${counted(holes, w, 'Loch', 'Löcher')}`, and: 'Und', others: (n, w) => counted(n, w, 'weitere Art von Teilen', 'weitere Arten von Teilen'),
   },
 
   contour: {

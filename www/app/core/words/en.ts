@@ -178,7 +178,7 @@ export const en = {
     nothing: 'Nothing to cut: set a layer to cut or mark.', failed: 'This file cannot be used.', optimal: 'Optimal: no better path exists.',
     planning: (best: string | null) => (best === null ? 'Planning' : `Planning, best so far ${best}`),
     paused: (best: string | null) => (best === null ? 'Paused' : `Paused, best so far ${best}`),
-    saved: (time: string) => `${time} saved`, pace: (moves: string) => `${moves} moves/s`, moves: (moves: string) => `${moves} moves`,
+    saved: (time: string) => `${time} saved`, pace: (moves: string) => `${moves} moves/s`, moves: (n: number, written: string) => counted(n, written, 'move'),
     gap: (time: string) => `at most ${time} left to gain`,
     done: {
       exhausted: 'Done. This method finds nothing better.',
@@ -194,7 +194,7 @@ export const en = {
     within: (least: string, most: string) => `Enter a value from ${least} to ${most}.`,
     preview: {
       joins: (n: number, written: string) => `${counted(n, written, 'gap')} would close`, opens: (n: number, written: string) => `${counted(n, written, 'joint')} would open`,
-      removals: (n: number, written: string) => `${counted(n, written, 'piece')} would disappear`, contours: (now: string, then: string) => `${then} contours instead of ${now}`,
+      removals: (n: number, written: string) => `${counted(n, written, 'piece')} would disappear`, contours: (now: string, then: string, n: number) => `${counted(n, then, 'contour')} instead of ${now}`,
       open: (now: string, then: string) => `${then} of them open instead of ${now}`, elements: (now: string, then: string) => `${then} lines and arcs instead of ${now}`,
       nothing: 'Nothing would change.', sentence: (parts: readonly string[]) => `${parts.join(', ')}.`,
     },
@@ -385,7 +385,7 @@ export const en = {
     title: 'Quote', notGiven: 'not given', download: 'Download the report', thickness: 'Thickness', density: 'Density', none: 'The quote appears here when the plan is done.',
     confidence, parts: 'Parts', different: (n: string, kinds: string) => `${n}, ${kinds} different`, area: 'Part area', weight: 'Weight',
     hole: 'Narrowest hole', web: 'Narrowest web', against: (ratio: string) => ` · ${ratio} × thickness`,
-    part: (length: string, holes: number, written: string) => `${length} to cut, ${counted(holes, written, 'hole')}`, and: 'And', others: (n: string) => `${n} other kinds of parts`,
+    part: (length: string, holes: number, written: string) => `${length} to cut, ${counted(holes, written, 'hole')}`, and: 'And', others: (n: number, written: string) => counted(n, written, 'other kind of part', 'other kinds of parts'),
   },
 
   contour: {

@@ -182,7 +182,7 @@ export const es: Words = {
     nothing: 'Nada que cortar: ponga una capa en cortar o marcar.', failed: 'Este archivo no se puede usar.', optimal: 'Óptimo: no existe un recorrido mejor.',
     planning: (best) => (best === null ? 'Planificando' : `Planificando, lo mejor hasta ahora ${best}`),
     paused: (best) => (best === null ? 'En pausa' : `En pausa, lo mejor hasta ahora ${best}`),
-    saved: (time) => `${time} ahorrados`, pace: (moves) => `${moves} movimientos/s`, moves: (moves) => `${moves} movimientos`,
+    saved: (time) => `${time} ahorrados`, pace: (moves) => `${moves} movimientos/s`, moves: (n, w) => counted(n, w, 'movimiento'),
     gap: (time) => `como mucho quedan ${time} por ganar`,
     done: {
       exhausted: 'Listo. Este método no encuentra nada mejor.',
@@ -198,7 +198,7 @@ export const es: Words = {
     within: (least, most) => `Introduzca un valor de ${least} a ${most}.`,
     preview: {
       joins: (n, w) => `${counted(n, w, 'hueco se cerraría', 'huecos se cerrarían')}`, opens: (n, w) => `${counted(n, w, 'unión se abriría', 'uniones se abrirían')}`,
-      removals: (n, w) => `${counted(n, w, 'trozo desaparecería', 'trozos desaparecerían')}`, contours: (now, then) => `${then} contornos en vez de ${now}`,
+      removals: (n, w) => `${counted(n, w, 'trozo desaparecería', 'trozos desaparecerían')}`, contours: (now, then, n) => `${contours(n, then)} en vez de ${now}`,
       open: (now, then) => `${then} de ellos abiertos en vez de ${now}`, elements: (now, then) => `${then} líneas y arcos en vez de ${now}`,
       nothing: 'No cambiaría nada.', sentence: (all) => `${all.join(', ')}.`,
     },
@@ -387,7 +387,7 @@ export const es: Words = {
     title: 'Presupuesto', notGiven: 'sin indicar', download: 'Descargar el informe', thickness: 'Espesor', density: 'Densidad', none: 'El presupuesto aparece aquí cuando el plan está listo.',
     confidence: { high: 'Confianza alta.', medium: 'Confianza media.', low: 'Confianza baja.' }, parts: 'Piezas', different: (n, kinds) => `${n}, ${kinds} distintas`, area: 'Área de las piezas', weight: 'Peso',
     hole: 'Agujero más estrecho', web: 'Puente más estrecho', against: (ratio) => ` · ${ratio} × espesor`,
-    part: (length, holes, w) => `${length} de corte, ${counted(holes, w, 'agujero')}`, and: 'Y', others: (n) => `${n} tipos de piezas más`,
+    part: (length, holes, w) => `${length} de corte, ${counted(holes, w, 'agujero')}`, and: 'Y', others: (n, w) => counted(n, w, 'tipo de piezas más', 'tipos de piezas más'),
   },
 
   contour: {

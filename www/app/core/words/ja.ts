@@ -179,7 +179,7 @@ export const ja: Words = {
     nothing: '切断するものがありません。レイヤーを切断またはマークにしてください。', failed: 'このファイルは使えません。', optimal: '最適：これより良い経路はありません。',
     planning: (best) => (best === null ? '計画中' : `計画中、現在の最良 ${best}`),
     paused: (best) => (best === null ? '一時停止中' : `一時停止中、現在の最良 ${best}`),
-    saved: (time) => `${time} 短縮`, pace: (moves) => `${moves} 手/秒`, moves: (moves) => `${moves} 手`,
+    saved: (time) => `${time} 短縮`, pace: (moves) => `${moves} 手/秒`, moves: (_n, w) => `${w} 手`,
     gap: (time) => `残りの短縮余地は最大 ${time}`,
     done: {
       exhausted: '完了。この手法ではこれ以上良くなりません。',
@@ -384,7 +384,7 @@ export const ja: Words = {
     title: '見積もり', notGiven: '未入力', download: '報告書をダウンロード', thickness: '厚さ', density: '密度', none: '計画が完了すると、ここに見積もりが表示されます。',
     confidence: { high: '信頼度は高いです。', medium: '信頼度は中程度です。', low: '信頼度は低いです。' }, parts: '部品', different: (n, kinds) => `${n} 個、${kinds} 種類`, area: '部品の面積', weight: '重さ',
     hole: '最も狭い穴', web: '最も狭い桟', against: (ratio) => ` · 厚さの ${ratio} 倍`,
-    part: (length, _holes, w) => `切断 ${length}、穴 ${w} 個`, and: 'ほか', others: (n) => `ほかに ${n} 種類の部品`,
+    part: (length, _holes, w) => `切断 ${length}、穴 ${w} 個`, and: 'ほか', others: (_n, w) => `ほかに ${w} 種類の部品`,
   },
 
   contour: {

@@ -179,7 +179,7 @@ export const zh: Words = {
     nothing: '没有可切割的内容：请将一个图层设为切割或打标。', failed: '无法使用这个文件。', optimal: '最优：不存在更好的路径。',
     planning: (best) => (best === null ? '规划中' : `规划中，目前最好 ${best}`),
     paused: (best) => (best === null ? '已暂停' : `已暂停，目前最好 ${best}`),
-    saved: (time) => `节省 ${time}`, pace: (moves) => `${moves} 步/秒`, moves: (moves) => `${moves} 步`,
+    saved: (time) => `节省 ${time}`, pace: (moves) => `${moves} 步/秒`, moves: (_n, w) => `${w} 步`,
     gap: (time) => `最多还能节省 ${time}`,
     done: {
       exhausted: '完成。此方法找不到更好的路径。',
@@ -384,7 +384,7 @@ export const zh: Words = {
     title: '报价', notGiven: '未填写', download: '下载报告', thickness: '厚度', density: '密度', none: '方案完成后，报价显示在这里。',
     confidence: { high: '可信度高。', medium: '可信度中等。', low: '可信度低。' }, parts: '零件', different: (n, kinds) => `${n}，${kinds} 种`, area: '零件面积', weight: '重量',
     hole: '最窄的孔', web: '最窄的筋', against: (ratio) => ` · 厚度的 ${ratio} 倍`,
-    part: (length, _holes, w) => `切割 ${length}，${w} 个孔`, and: '以及', others: (n) => `另外 ${n} 种零件`,
+    part: (length, _holes, w) => `切割 ${length}，${w} 个孔`, and: '以及', others: (_n, w) => `另外 ${w} 种零件`,
   },
 
   contour: {
