@@ -67,6 +67,8 @@ pub enum Code {
     Branch,
     /// Exact or near copies were removed, including reversed ones.
     DuplicateRemoved,
+    /// Contours near others, farther than the copy tolerance, that would be cut twice.
+    NearCopy,
     /// Collinear or co-circular overlaps were removed.
     OverlapRemoved,
     /// A closed contour in which the beam fits nowhere: narrower than the kerf of the machine, or than any common beam.

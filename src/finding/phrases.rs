@@ -54,6 +54,7 @@ impl Code {
                 Counted("place joins more than two line ends", "places join more than two line ends each")
             }
             Self::DuplicateRemoved => Counted("duplicate line was removed", "duplicate lines were removed"),
+            Self::NearCopy => Counted("contour lies near another one", "contours lie near others"),
             Self::OverlapRemoved => Counted("overlap was removed", "overlaps were removed"),
             Self::FeatureTooSmall => {
                 Counted("contour is too small for the beam", "contours are too small for the beam")

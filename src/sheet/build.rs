@@ -8,7 +8,9 @@ use super::lettering;
 use super::model::{CommonCuts, Contour, Ignored, LayerUse, Operation, Pin, Sheet, SheetOptions};
 use super::outline::{Decision, Evidence};
 use super::source::Source;
-use super::{choices, crossings, exclude, layers, narrow, nest, outline, parts, sequence, together};
+use super::{
+    choices, crossings, exclude, layers, narrow, near_copies, nest, outline, parts, sequence, together,
+};
 use crate::drawing::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::Aabb;
@@ -43,6 +45,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     let in_groups = lettering::find(drawing, &mut contours, &options.groups, &mut findings);
     findings::open_contours(drawing, &contours, &in_groups, &mut findings);
     let mut crossing = crossings::find(source, &mut contours, copy.max(MIN_CROSSING_DEPTH), &mut findings);
+    near_copies::find(drawing, &contours, [copy, join], &mut findings);
     if !nest::nest(&mut contours, &crossing, join) {
         let message =
             "So many contours interlock that it was only partly determined which lies inside which.";

@@ -59,6 +59,12 @@ pub(super) fn far_from_origin(far: &FarOut) -> Finding {
     Finding::new(Code::FarFromOrigin, Severity::Error, message).at(far.at)
 }
 
+/// The finding that not all near copies were looked for.
+pub(super) fn near_copies_partly_checked() -> Finding {
+    let message = "So many lines lie close together that only some of them were checked for near copies.";
+    Finding::new(Code::NotAllChecked, Severity::Info, message)
+}
+
 /// The name of a layer, if the index is valid.
 pub(super) fn layer_name(drawing: &Drawing, layer: u32) -> Option<String> {
     drawing.layers.get(layer as usize).map(|l| l.name.clone())

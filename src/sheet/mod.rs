@@ -7,6 +7,7 @@
 //!        -> exclude: contours excluded one by one
 //!        -> lettering: strokes of single-line lettering and leaders, as groups
 //!        -> crossings: contours that cross themselves or each other
+//!        -> near_copies: cuts along others, a little farther than the copy tolerance
 //!        -> nest: containment tree of any depth; the sheet's own border recognised
 //!        -> groups: contours that share cuts, and what they enclose
 //!        -> narrow: contours too narrow for any beam
@@ -25,6 +26,7 @@
 
 mod assemble;
 mod bridges;
+mod budget;
 mod build;
 mod choices;
 mod clean;
@@ -40,6 +42,7 @@ mod layers;
 mod lettering;
 mod model;
 mod narrow;
+mod near_copies;
 mod nest;
 mod outline;
 mod parts;

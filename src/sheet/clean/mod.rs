@@ -29,11 +29,13 @@ mod run;
 
 use super::cluster::cluster;
 use super::element::{Chain, Chains, Element, ROUNDING, with_start};
+use super::findings::near_copies_partly_checked;
 use super::sliver;
 use super::source::{Line, Source};
-use crate::finding::{Code, Finding, Findings, Severity};
+use crate::finding::Findings;
 use crate::geometry::{DVec2, Path, Segment};
 use crate::order;
+pub(super) use near::SLACK;
 use remainder::Remainder;
 use run::Run;
 
@@ -59,11 +61,7 @@ pub(super) fn clean(
         (kept, complete) = united(&elements, &runs, tolerance, join);
     }
     if !complete {
-        findings.push(Finding::new(
-            Code::NotAllChecked,
-            Severity::Info,
-            "So many lines lie close together that only some of them were checked for near copies.",
-        ));
+        findings.push(near_copies_partly_checked());
     }
     report::removed(source, &elements, &kept, findings);
     rebuild(&elements, &runs, &kept, tolerance)

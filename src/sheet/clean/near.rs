@@ -21,6 +21,9 @@ const MAX_SINE: f64 = 0.25;
 /// Largest number of boxes visited around one end. Even splines that run into one point need a few dozen. A hatch of
 /// thousands of slanted lines needs thousands; a finding then reports that not all were checked.
 const MAX_BOXES_PER_END: usize = 400;
+/// Part of the tolerance that is added to it, so that what is drawn exactly as far apart as the tolerance is a copy, whatever its shape: rounding
+/// to six decimals moves two elements 1.4e-6 mm towards or away from each other, which is less than a thousandth of 0.01 mm.
+pub(in crate::sheet) const SLACK: f64 = 1e-3;
 /// Number of pairs compared per piece on average, and for a small drawing in total. Real drawings have one or two per
 /// piece; a star of 20,000 lines from one point would have millions.
 const PAIRS_PER_PIECE: usize = 8;
@@ -42,6 +45,7 @@ struct Piece {
 
 /// Removes near copies from the remainders. Returns `false` when not every pair could be compared.
 pub(super) fn unite(elements: &[Element], rank: &[u32], tolerance: f64, kept: &mut [Remainder]) -> bool {
+    let tolerance = tolerance * (1.0 + SLACK);
     let mut pieces = pieces(elements, kept);
     pieces.retain(|p| p.segment.length() >= MIN_LENGTH * tolerance);
     order::sort_by(&mut pieces, |p| [rank[p.element as usize].into(), p.element.into(), 0]);

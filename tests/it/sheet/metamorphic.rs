@@ -115,7 +115,7 @@ fn shuffle<T>(rng: &mut Rng, v: &mut [T]) {
     }
 }
 
-fn mapped(paths: &[Path], f: impl Fn(&Segment) -> Segment) -> Vec<Path> {
+pub(super) fn mapped(paths: &[Path], f: impl Fn(&Segment) -> Segment) -> Vec<Path> {
     paths.iter().map(|p| Path::new(p.segments.iter().map(&f).collect(), p.closed)).collect()
 }
 
@@ -155,7 +155,7 @@ fn for_all_seeds_with(gap: f64, name: &str, scale: f64, change: impl Fn(&mut Rng
 }
 
 /// The map `p -> scale * R(angle) (mirrored?) p + offset` of an element.
-fn similar(s: &Segment, scale: f64, angle: f64, mirrored: bool, offset: DVec2) -> Segment {
+pub(super) fn similar(s: &Segment, scale: f64, angle: f64, mirrored: bool, offset: DVec2) -> Segment {
     let map = |p: DVec2| {
         let q = if mirrored { DVec2::new(-p.x, p.y) } else { p };
         math::rotate(q, angle) * scale + offset

@@ -9,6 +9,7 @@ mod layers;
 mod lettering;
 mod metamorphic;
 mod metamorphic_networks;
+mod near_copies;
 mod nest;
 mod networks;
 mod sketch;

@@ -1,5 +1,5 @@
 /**
- * How far apart ends may be, and how closely curves are followed. While a value is being changed, the sheet shows what would join or
+ * How far apart ends may be, how near lines are copies, and how closely curves are followed. While a value is being changed, the sheet shows what would join or
  * disappear; nothing changes before the value is applied. Loaded when it is opened.
  */
 
@@ -23,6 +23,7 @@ interface Tolerance {
 
 const TOLERANCES = {
   joinTolerance: { label: words.drawing.join, usual: 0.05, least: 0.001, most: 5 },
+  copyTolerance: { label: words.drawing.near, usual: 0.01, least: 0.001, most: 1 },
   tolerance: { label: words.drawing.curves, usual: 0.005, least: 0.0001, most: 1 },
 } satisfies Record<string, Tolerance>;
 

@@ -133,8 +133,8 @@ export function holds(load: LoadOptions, loaded: Loaded, contours: readonly numb
 /** Whether two readings of a drawing find the same contours, so that the numbers of contours keep their meaning. */
 export function sameContours(a: LoadOptions, b: LoadOptions): boolean {
   // The border and groups keep their contours whatever is done with them.
-  const key = ({ units, dpi, tolerance, keepDamaged, joinTolerance, layers }: LoadOptions) =>
-    JSON.stringify([units, dpi, tolerance, keepDamaged, joinTolerance, layers?.map(({ name, operation }) => [name, operation])]);
+  const key = ({ units, dpi, tolerance, keepDamaged, joinTolerance, copyTolerance, layers }: LoadOptions) =>
+    JSON.stringify([units, dpi, tolerance, keepDamaged, joinTolerance, copyTolerance, layers?.map(({ name, operation }) => [name, operation])]);
   return key(a) === key(b);
 }
 

@@ -29,6 +29,7 @@ export const de: Words = {
     'gap-left': (n, w) => counted(n, w, 'offene Lücke', 'offene Lücken'),
     branch: (n, w) => counted(n, w, 'Stelle, an der mehr als zwei Enden zusammentreffen', 'Stellen, an denen mehr als zwei Enden zusammentreffen'),
     'duplicate-removed': (n, w) => counted(n, w, 'doppelte Linie entfernt', 'doppelte Linien entfernt'),
+    'near-copy': (n, w) => counted(n, w, 'Kontur dicht neben einer anderen', 'Konturen dicht neben anderen'),
     'overlap-removed': (n, w) => counted(n, w, 'überlappende Linie entfernt', 'überlappende Linien entfernt'),
     'feature-too-small': (n, w) => counted(n, w, 'Kontur zu klein für den Strahl', 'Konturen zu klein für den Strahl'),
     'common-cut': (n, w) => counted(n, w, 'Gruppe von Konturen mit gemeinsamen Schnitten', 'Gruppen von Konturen mit gemeinsamen Schnitten'),
@@ -194,7 +195,7 @@ export const de: Words = {
 
   drawing: {
     title: 'Zeichnung', none: 'Noch keine Zeichnung.', tolerances: 'Toleranzen',
-    join: 'Enden verbinden, wenn näher als', curves: 'Kurven folgen auf', apply: 'Anwenden', cancel: 'Abbrechen', checking: 'Prüft, was sich ändern würde…',
+    join: 'Enden verbinden, wenn näher als', near: 'Linien einmal schneiden bis Abstand', curves: 'Kurven folgen auf', apply: 'Anwenden', cancel: 'Abbrechen', checking: 'Prüft, was sich ändern würde…',
     within: (least, most) => `Geben Sie einen Wert von ${least} bis ${most} ein.`,
     preview: {
       joins: (n, w) => `${counted(n, w, 'Lücke würde', 'Lücken würden')} geschlossen`, opens: (n, w) => `${counted(n, w, 'Verbindung würde', 'Verbindungen würden')} geöffnet`,

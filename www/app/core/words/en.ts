@@ -36,6 +36,7 @@ const findingTitles: Record<FindingCode, Counted> = {
   'gap-left': (n, w) => counted(n, w, 'open gap'),
   branch: (n, w) => counted(n, w, 'place where more than two ends meet', 'places where more than two ends meet'),
   'duplicate-removed': (n, w) => counted(n, w, 'duplicate removed', 'duplicates removed'),
+  'near-copy': (n, w) => counted(n, w, 'contour near another one', 'contours near others'),
   'overlap-removed': (n, w) => counted(n, w, 'overlapping line removed', 'overlapping lines removed'),
   'feature-too-small': (n, w) => counted(n, w, 'contour too small for the beam', 'contours too small for the beam'),
   'common-cut': (n, w) => counted(n, w, 'group of contours with shared cuts', 'groups of contours with shared cuts'),
@@ -190,7 +191,7 @@ export const en = {
 
   drawing: {
     title: 'Drawing', none: 'No drawing yet.', tolerances: 'Tolerances',
-    join: 'Join ends closer than', curves: 'Follow curves within', apply: 'Apply', cancel: 'Cancel', checking: 'Checking what would change…',
+    join: 'Join ends closer than', near: 'Cut lines once within', curves: 'Follow curves within', apply: 'Apply', cancel: 'Cancel', checking: 'Checking what would change…',
     within: (least: string, most: string) => `Enter a value from ${least} to ${most}.`,
     preview: {
       joins: (n: number, written: string) => `${counted(n, written, 'gap')} would close`, opens: (n: number, written: string) => `${counted(n, written, 'joint')} would open`,

@@ -29,6 +29,7 @@ export const es: Words = {
     'gap-left': (n, w) => counted(n, w, 'hueco abierto', 'huecos abiertos'),
     branch: (n, w) => counted(n, w, 'punto donde se juntan más de dos extremos', 'puntos donde se juntan más de dos extremos'),
     'duplicate-removed': (n, w) => counted(n, w, 'línea duplicada eliminada', 'líneas duplicadas eliminadas'),
+    'near-copy': (n, w) => counted(n, w, 'contorno muy cerca de otro', 'contornos muy cerca de otros'),
     'overlap-removed': (n, w) => counted(n, w, 'línea superpuesta eliminada', 'líneas superpuestas eliminadas'),
     'feature-too-small': (n, w) => counted(n, w, 'contorno demasiado pequeño para el haz', 'contornos demasiado pequeños para el haz'),
     'common-cut': (n, w) => counted(n, w, 'grupo de contornos con cortes comunes', 'grupos de contornos con cortes comunes'),
@@ -194,7 +195,7 @@ export const es: Words = {
 
   drawing: {
     title: 'Dibujo', none: 'Todavía no hay dibujo.', tolerances: 'Tolerancias',
-    join: 'Unir extremos más próximos que', curves: 'Seguir las curvas a menos de', apply: 'Aplicar', cancel: 'Cancelar', checking: 'Comprobando qué cambiaría…',
+    join: 'Unir extremos más próximos que', near: 'Cortar una vez las líneas a menos de', curves: 'Seguir las curvas a menos de', apply: 'Aplicar', cancel: 'Cancelar', checking: 'Comprobando qué cambiaría…',
     within: (least, most) => `Introduzca un valor de ${least} a ${most}.`,
     preview: {
       joins: (n, w) => `${counted(n, w, 'hueco se cerraría', 'huecos se cerrarían')}`, opens: (n, w) => `${counted(n, w, 'unión se abriría', 'uniones se abrirían')}`,

@@ -26,6 +26,7 @@ export const ja: Words = {
     'gap-left': (_n, w) => `開いた隙間 ${w} か所`,
     branch: (_n, w) => `3 つ以上の端が集まる箇所 ${w} か所`,
     'duplicate-removed': (_n, w) => `削除した重複線 ${w} 本`,
+    'near-copy': (_n, w) => `別の輪郭のすぐ近くにある輪郭 ${w} 本`,
     'overlap-removed': (_n, w) => `削除した重なり ${w} 本`,
     'feature-too-small': (_n, w) => `ビームに対して小さすぎる輪郭 ${w} 個`,
     'common-cut': (_n, w) => `切断線を共有する輪郭の組 ${w} 組`,
@@ -191,7 +192,7 @@ export const ja: Words = {
 
   drawing: {
     title: '図面', none: 'まだ図面がありません。', tolerances: '許容差',
-    join: 'これより近い端をつなぐ', curves: '曲線の近似精度', apply: '適用', cancel: '取り消す', checking: '変化を調べています…',
+    join: 'これより近い端をつなぐ', near: 'これより近い線は一度だけ切断', curves: '曲線の近似精度', apply: '適用', cancel: '取り消す', checking: '変化を調べています…',
     within: (least, most) => `${least} から ${most} の値を入力してください。`,
     preview: {
       joins: (_n, w) => `隙間 ${w} か所が閉じます`, opens: (_n, w) => `接続 ${w} か所が開きます`,

@@ -26,6 +26,7 @@ export const zh: Words = {
     'gap-left': (_n, w) => `${w} 个未闭合的间隙`,
     branch: (_n, w) => `${w} 处有两个以上的端点相接`,
     'duplicate-removed': (_n, w) => `已删除 ${w} 条重复线`,
+    'near-copy': (_n, w) => `${w} 个与其他轮廓过近的轮廓`,
     'overlap-removed': (_n, w) => `已删除 ${w} 条重叠线`,
     'feature-too-small': (_n, w) => `${w} 个轮廓对光束来说太小`,
     'common-cut': (_n, w) => `${w} 组轮廓共用切边`,
@@ -191,7 +192,7 @@ export const zh: Words = {
 
   drawing: {
     title: '图', none: '还没有图。', tolerances: '公差',
-    join: '连接距离小于此值的端点', curves: '曲线逼近精度', apply: '应用', cancel: '取消', checking: '正在检查会有什么变化…',
+    join: '连接距离小于此值的端点', near: '距离小于此值的线只切割一次', curves: '曲线逼近精度', apply: '应用', cancel: '取消', checking: '正在检查会有什么变化…',
     within: (least, most) => `请输入 ${least} 到 ${most} 之间的值。`,
     preview: {
       joins: (_n, w) => `${w} 个间隙会闭合`, opens: (_n, w) => `${w} 个连接会断开`,

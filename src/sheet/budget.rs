@@ -1,0 +1,24 @@
+//! Budgets of comparisons, which bound the work on hostile drawings.
+
+/// A number of comparisons that may be made.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Budget {
+    left: usize,
+}
+
+impl Budget {
+    pub(super) fn new(limit: usize) -> Self {
+        Self { left: limit }
+    }
+
+    /// Takes one comparison; returns whether any are left.
+    pub(super) fn take(&mut self) -> bool {
+        self.left = self.left.saturating_sub(1);
+        self.left > 0
+    }
+
+    /// Whether none are left, so that not everything was compared.
+    pub(super) fn is_spent(&self) -> bool {
+        self.left == 0
+    }
+}
