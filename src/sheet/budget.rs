@@ -3,12 +3,14 @@
 /// A number of comparisons that may be made.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Budget {
+    /// The number at first.
+    pub(super) limit: usize,
     left: usize,
 }
 
 impl Budget {
     pub(super) fn new(limit: usize) -> Self {
-        Self { left: limit }
+        Self { limit, left: limit }
     }
 
     /// Takes one comparison; returns whether any are left.

@@ -31,11 +31,14 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     let copy = length_or(options.copy_tolerance, 0.0).min(join);
     let source = Source::Drawing(drawing);
     let mut contours = Vec::new();
+    let mut searched = true;
     // Cuts and marks are cleaned and joined separately, so a line that is both marked and cut remains both.
     for operation in [Operation::Cut, Operation::Mark] {
         let lines = layers::lines_of(drawing, &layers, operation);
         let chains = clean(source, &lines, copy, join, &mut findings);
-        for a in assemble(source, &chains, join, operation == Operation::Cut, &mut findings) {
+        let assembly = assemble(source, &chains, join, operation == Operation::Cut, &mut findings);
+        searched &= assembly.searched;
+        for a in assembly.contours {
             contours.push(contour(drawing, a, operation, &mut findings));
         }
     }
@@ -43,7 +46,10 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     exclude::exclude(&mut contours, &options.exclude, copy, &mut findings);
     exclude::mark(&mut contours, &options.mark, copy);
     let in_groups = lettering::find(drawing, &mut contours, &options.groups, &mut findings);
-    findings::open_contours(drawing, &contours, &in_groups, &mut findings);
+    // Where areas were not searched for, an open line may well free a part, and one finding has told of it.
+    if searched {
+        findings::open_contours(drawing, &contours, &in_groups, &mut findings);
+    }
     let mut crossing = crossings::find(source, &mut contours, copy.max(MIN_CROSSING_DEPTH), &mut findings);
     near_copies::find(drawing, &contours, [copy, join], &mut findings);
     if !nest::nest(&mut contours, &crossing, join) {

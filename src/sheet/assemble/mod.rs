@@ -27,9 +27,17 @@ use super::source::Source;
 use crate::finding::{Code, Finding, Findings, Severity};
 use ends::Ends;
 use junctions::Branch;
-use network::Outcome;
+use network::{Outcome, TooMany};
 
 pub(super) use trace::Assembled;
+
+/// What the assembly came to.
+pub(super) struct Assembly {
+    /// The contours in drawing order.
+    pub(super) contours: Vec<Assembled>,
+    /// Whether areas that lines enclose together were searched for everywhere. If not, what is open may free a part.
+    pub(super) searched: bool,
+}
 
 /// Joins the chains into contours. `tolerance` is in mm. With `faces`, lines that enclose an area together become
 /// contours.
@@ -39,16 +47,21 @@ pub(super) fn assemble(
     tolerance: f64,
     faces: bool,
     findings: &mut Findings,
-) -> Vec<Assembled> {
+) -> Assembly {
     let (ends, branches) = joined(chains, tolerance);
     let outcome =
         if faces { network::resolve(&roles::of(chains, &ends, tolerance)) } else { Outcome::Unchanged };
+    let searched = !matches!(outcome, Outcome::TooMany(_));
     let resolved = match outcome {
         Outcome::Faces(resolved) => Some(resolved),
         Outcome::Unchanged => None,
-        Outcome::TooMany => {
-            let message = "So many lines lie over each other that the areas they enclose together were not searched for.";
-            findings.push(Finding::new(Code::NotAllChecked, Severity::Info, message));
+        Outcome::TooMany(TooMany { limit, at }) => {
+            let message = format!(
+                "More than {limit} pairs of lines lie over each other, around here and elsewhere: the areas they enclose \
+                 together were not searched for, and what is open is cut open, as drawn. Draw the parts as \
+                 closed outlines, or divide the drawing."
+            );
+            findings.push(Finding::new(Code::NotAllChecked, Severity::Warning, message).at(at));
             None
         }
     };
@@ -60,7 +73,7 @@ pub(super) fn assemble(
         None => (chains, ends, branches),
     };
     gaps::report(source, &ends, &branches, tolerance, findings);
-    trace::contours(source, chains, &ends, tolerance, findings)
+    Assembly { contours: trace::contours(source, chains, &ends, tolerance, findings), searched }
 }
 
 /// Joins the ends of chains; returns them with the branches.

@@ -24,9 +24,10 @@ pub(super) fn group(set: &Set, paths: Vec<Path>) -> Option<PierceGroup> {
         at[n as usize] = paths[own].at(b.along)?;
     }
     let mut elements = Vec::new();
-    let own = |id: u32| (0..set.breaks.len()).filter(move |&k| set.breaks[k].contour == id);
     for (&id, path) in set.contours.iter().zip(&paths) {
-        let breaks: Vec<usize> = own(id).collect();
+        let first = set.breaks.partition_point(|b| b.contour < id);
+        let own = (first..).zip(set.breaks.get(first..)?).take_while(|(_, b)| b.contour == id);
+        let breaks: Vec<usize> = own.map(|(k, _)| k).collect();
         let last = if path.closed { breaks.first().copied() } else { None };
         let next = breaks.iter().skip(1).copied().chain(last);
         for (&a, b) in breaks.iter().zip(next) {

@@ -23,6 +23,7 @@ mod shift;
 
 pub(crate) use shift::{Shift, shifts};
 
+use super::assemble::assemble;
 use super::build::{find_groups, length_or};
 use super::clean::clean;
 use super::crossings;
@@ -135,7 +136,7 @@ fn cut_once(sheet: &mut Sheet, moved: &[Option<Path>], [copy, join]: [f64; 2], f
     let mut quiet = Findings::default();
     let chains = clean(Source::MovedContours, &moved, copy, join, &mut quiet);
     let mut lines: Vec<Vec<(Path, Option<Path>)>> = vec![Vec::new(); sheet.contours.len()];
-    for a in super::assemble::assemble(Source::MovedContours, &chains, join, false, &mut quiet) {
+    for a in assemble(Source::MovedContours, &chains, join, false, &mut quiet).contours {
         // The contour gets the piece that bounds its area.
         let of = &mut lines[a.first_shape as usize];
         let place = if a.path.closed || a.outline.is_some() { 0 } else { of.len() };

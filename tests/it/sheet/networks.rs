@@ -183,13 +183,38 @@ fn outlines_of_lines_that_share_sides_and_cross_stay_as_drawn() {
     assert_eq!(of_lines.parts.len(), of_polylines.parts.len());
 }
 
+/// A grid of this many lines each way.
+fn grid(count: u32) -> Vec<Path> {
+    let size = f64::from(count - 1);
+    let lines = (0..count).map(f64::from).flat_map(|at| [line(0.0, at, size, at), line(at, 0.0, at, size)]);
+    lines.collect()
+}
+
+/// More than 50,000 crossings were not searched: 500 open lines, each said to free no part.
+#[test]
+fn a_grid_of_250_lines_each_way_is_all_parts() {
+    let s = sheet(grid(250));
+    assert_eq!((s.parts.len(), s.groups.len()), (249 * 249, 1));
+    close(s.parts.iter().map(|p| s.contours[p.outer as usize].area).sum(), 249.0 * 249.0);
+    assert!((total_length(&s) - 500.0 * 249.0).abs() < 1e-3, "every line is cut once");
+    assert!(s.findings.is_empty(), "{:?}", s.findings);
+}
+
 #[test]
 fn a_network_too_dense_to_search_is_reported_and_stays_as_drawn() {
-    let across = (0..700).map(|i| line(0.0, f64::from(i), 700.0, f64::from(i) + 0.5));
-    let up = (0..700).map(|i| line(f64::from(i), -5.0, f64::from(i) + 0.5, 705.0));
-    let s = sheet(across.chain(up));
-    assert_eq!(counts(&s), (0, 1400));
-    assert!(findings(&s, Code::NotAllChecked).iter().any(|f| f.message.contains("enclose together")));
+    let s = sheet(grid(330));
+    assert_eq!(counts(&s), (1, 656), "the four lines around the others close");
+    let told = findings(&s, Code::NotAllChecked);
+    let told = told.into_iter().find(|f| f.message.contains("enclose together")).unwrap();
+    assert!(
+        told.message.starts_with("More than 100000 pairs of lines lie over each other"),
+        "{}",
+        told.message
+    );
+    let at = told.at.unwrap();
+    assert_eq!(told.severity, kerfway::finding::Severity::Warning);
+    assert!((0.0..=329.0).contains(&at.x) && (0.0..=329.0).contains(&at.y), "{at}");
+    assert!(findings(&s, Code::OpenContour).is_empty(), "whether they free parts is not known");
 }
 
 #[test]

@@ -29,6 +29,7 @@ mod shapes;
 use crate::sheet::element::Chains;
 use contacts::Net;
 
+pub(super) use contacts::TooMany;
 pub(super) use joined::{Joined, Role};
 
 /// What the network came to.
@@ -38,7 +39,7 @@ pub(super) enum Outcome {
     /// The chains with a closed contour for each face.
     Faces(Chains),
     /// So many lines lie over each other that the faces were not looked for.
-    TooMany,
+    TooMany(TooMany),
 }
 
 /// Finds the faces of the networks among joined chains.
@@ -48,7 +49,10 @@ pub(super) fn resolve(joined: &Joined) -> Outcome {
     if covered.is_empty() && !joined.roles.iter().any(open) {
         return Outcome::Unchanged;
     }
-    let Some(net) = Net::new(joined, &covered) else { return Outcome::TooMany };
+    let net = match Net::new(joined, &covered) {
+        Ok(net) => net,
+        Err(too_many) => return Outcome::TooMany(too_many),
+    };
     let graph = graph::Graph::new(joined, &net);
     let faces = graph.faces(joined.tolerance);
     let known = shapes::known(joined, &graph, &faces);

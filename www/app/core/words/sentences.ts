@@ -70,6 +70,7 @@ export const SENTENCES = {
   crossesItself: 'This contour crosses itself in {} places: what lies inside it is in doubt.',
   crossOnce: 'Two contours cross in 1 place: both are cut as drawn.',
   cross: 'Two contours cross in {} places: both are cut as drawn.',
+  tooDense: 'More than {} pairs of lines lie over each other, around here and elsewhere: the areas they enclose together were not searched for, and what is open is cut open, as drawn. Draw the parts as closed outlines, or divide the drawing.',
   severalLayers: 'This contour lies on {} layers: {}. It is taken to be on {}, where most of it lies.',
   mayMarkOne: '1 shape is on layer {}, whose name suggests marking: currently cut. Choose mark or ignore.',
   mayMark: '{} shapes are on layer {}, whose name suggests marking: currently cut. Choose mark or ignore.',

@@ -64,6 +64,7 @@ export const sentences: Sentences = {
   crossesItself: 'Diese Kontur kreuzt sich an {0} Stellen selbst: Was innen liegt, ist unsicher.',
   crossOnce: 'Zwei Konturen kreuzen sich an einer Stelle: Beide werden wie gezeichnet geschnitten.',
   cross: 'Zwei Konturen kreuzen sich an {0} Stellen: Beide werden wie gezeichnet geschnitten.',
+  tooDense: 'Mehr als {0} Paare von Linien liegen übereinander, hier und an anderen Stellen: Flächen, die sie zusammen umschließen, wurden nicht gesucht, und was offen ist, wird offen geschnitten, wie gezeichnet. Zeichnen Sie die Teile als geschlossene Konturen oder teilen Sie die Zeichnung auf.',
   severalLayers: 'Diese Kontur liegt auf {0} Layern: {1}. Sie wird dem Layer {2} zugerechnet, auf dem ihr größter Teil liegt.',
   mayMarkOne: '1 Form auf Layer {0}, dessen Name auf Markieren hindeutet, wird derzeit geschnitten. Wählen Sie Markieren oder Ignorieren.',
   mayMark: '{0} Formen auf Layer {1}, dessen Name auf Markieren hindeutet, werden derzeit geschnitten. Wählen Sie Markieren oder Ignorieren.',

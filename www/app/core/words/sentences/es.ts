@@ -64,6 +64,7 @@ export const sentences: Sentences = {
   crossesItself: 'Este contorno se cruza a sí mismo en {0} lugares: no está claro qué queda dentro.',
   crossOnce: 'Dos contornos se cruzan en 1 lugar: ambos se cortan como están dibujados.',
   cross: 'Dos contornos se cruzan en {0} lugares: ambos se cortan como están dibujados.',
+  tooDense: 'Más de {0} pares de líneas están unas sobre otras, aquí y en otros lugares: no se buscaron las áreas que encierran juntas, y lo que está abierto se corta abierto, como está dibujado. Dibuje las piezas como contornos cerrados o divida el dibujo.',
   severalLayers: 'Este contorno está en {0} capas: {1}. Se cuenta en {2}, donde está la mayor parte.',
   mayMarkOne: '1 forma en la capa {0}, cuyo nombre sugiere marcar, se corta por ahora. Elija marcar o ignorar.',
   mayMark: '{0} formas en la capa {1}, cuyo nombre sugiere marcar, se cortan por ahora. Elija marcar o ignorar.',
