@@ -2,6 +2,7 @@
 
 use super::tolerance::{SAME, rounding};
 use crate::geometry::{Aabb, DVec2, Path, Segment, math};
+use crate::order::{real, sort_by};
 use crate::sheet::{Contour, Sheet};
 use static_aabb2d_index::{StaticAABB2DIndex, StaticAABB2DIndexBuilder};
 use std::f64::consts::TAU;
@@ -9,58 +10,103 @@ use std::f64::consts::TAU;
 /// Number of points of a contour that are checked: enough to find one outside where two contours cross.
 const SAMPLES: usize = 16;
 
-/// All pairs of a contour (first) and a cut contour that bounds an area around it (second), at any depth. What is left of an
+/// All pairs of a contour (first) and a cut contour that bounds an area around it (second), at any depth, sorted. What is left of an
 /// outline whose other sides are cut with its neighbours stands for the whole outline, which counts once however many pieces are left.
 ///
 /// A contour lies inside another if none of the sample points spread over it is outside, and at least one is inside and not
 /// on the outline. So duplicates lie inside neither, and a contour that crosses an outline does not lie inside it.
 /// Of two outlines that each lost sides, the larger one does not lie inside the smaller one, whatever is left of it.
+///
+/// What lies inside a contour lies inside everything around that contour, so of thousands of rings around each other, each is
+/// compared with the next one only.
 pub(super) fn pairs(sheet: &Sheet) -> Vec<(u32, u32)> {
-    let outers: Vec<u32> = (0..)
+    let mut outers: Vec<Outer> = (0..)
         .zip(&sheet.contours)
         // Only the last pass cuts a contour free.
         .filter(|(_, c)| c.bounds_area() && c.next_pass.is_none())
-        .map(|(id, _)| id)
+        .filter_map(|(id, contour)| Some(Outer { id, contour, shape: Shape::new(contour.boundary()?) }))
         .collect();
-    let Some(index) = index(&outers, sheet) else { return Vec::new() };
-    let mut pairs = Vec::new();
-    for (inner, contour) in (0..).zip(&sheet.contours).filter(|(_, c)| c.is_processed()) {
-        let bounds = contour.path.bounds();
-        if bounds.is_empty() {
+    // The smallest one around a contour comes first, and tells of those around itself.
+    sort_by(&mut outers, |o| [real(o.contour.area), o.id.into(), 0]);
+    let Some(index) = index(&outers) else { return Vec::new() };
+    let mut inners: Vec<(u32, &Contour)> =
+        (0..).zip(&sheet.contours).filter(|(_, c)| c.is_processed()).collect();
+    sort_by(&mut inners, |(id, c)| [!real(c.area), (*id).into(), 0]);
+    // For each contour those around it, by their places in `outers`, and for each of these the last contour known to be inside.
+    let mut around: Vec<Vec<usize>> = vec![Vec::new(); sheet.contours.len()];
+    let mut known_around: Vec<Option<u32>> = vec![None; outers.len()];
+    for (id, contour) in inners {
+        let inner = Shape::new(&contour.path);
+        if inner.bounds.is_empty() {
             continue;
         }
-        for hit in index.query(bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y) {
-            let Some(&outer) = outers.get(hit) else { continue };
-            let around = &sheet.contours[outer as usize];
-            let same_shape = contour.rest_of.is_some() && contour.rest_of == around.rest_of;
-            let is_larger =
-                contour.outline.is_some() && around.outline.is_some() && contour.area > around.area;
-            if outer == inner || same_shape || is_larger {
-                continue;
+        let may_contain = |outer: &Outer| {
+            let same_shape = contour.rest_of.is_some() && contour.rest_of == outer.contour.rest_of;
+            let is_larger = contour.outline.is_some()
+                && outer.contour.outline.is_some()
+                && contour.area > outer.contour.area;
+            outer.id != id && !same_shape && !is_larger && outer.shape.has_room_for(&inner)
+        };
+        let Aabb { min, max } = inner.bounds;
+        let mut near = index.query(min.x, min.y, max.x, max.y);
+        near.retain(|k| outers.get(*k).is_some_and(may_contain));
+        sort_by(&mut near, |&k| [k as u64, 0, 0]);
+        near.retain(|&k| {
+            let known = known_around[k] == Some(id);
+            if !known && lies_inside(&contour.path, outers[k].shape.path) {
+                around[outers[k].id as usize].iter().for_each(|&o| known_around[o] = Some(id));
+                return true;
             }
-            if around.boundary().is_some_and(|outline| lies_inside(contour, bounds, outline)) {
-                pairs.push((inner, outer));
-            }
-        }
+            known
+        });
+        around[id as usize] = near;
+    }
+    let mut pairs = Vec::with_capacity(around.iter().map(Vec::len).sum());
+    for (inner, around) in (0..).zip(&mut around) {
+        sort_by(around, |&k| [outers[k].id.into(), 0, 0]);
+        pairs.extend(around.iter().map(|&k| (inner, outers[k].id)));
     }
     pairs
 }
 
-fn index(outers: &[u32], sheet: &Sheet) -> Option<StaticAABB2DIndex<f64>> {
+/// A path with what decides without its elements that it does not lie inside another one.
+struct Shape<'a> {
+    path: &'a Path,
+    bounds: Aabb,
+    /// Largest effect of rounding on a position on it, mm.
+    rounding: f64,
+}
+
+impl<'a> Shape<'a> {
+    fn new(path: &'a Path) -> Self {
+        let rounding = path.segments.iter().map(rounding).fold(0.0, f64::max);
+        Self { path, bounds: path.bounds(), rounding }
+    }
+
+    fn has_room_for(&self, inner: &Self) -> bool {
+        self.bounds.grown(SAME + self.rounding.max(inner.rounding)).contains_box(&inner.bounds)
+    }
+}
+
+/// A cut contour that bounds an area, with its outline.
+struct Outer<'a> {
+    id: u32,
+    contour: &'a Contour,
+    shape: Shape<'a>,
+}
+
+fn index(outers: &[Outer]) -> Option<StaticAABB2DIndex<f64>> {
     let mut builder = StaticAABB2DIndexBuilder::new(outers.len());
-    for &id in outers {
-        let b = sheet.contours.get(id as usize)?.boundary()?.bounds();
+    for outer in outers {
+        let b = outer.shape.bounds;
         builder.add(b.min.x, b.min.y, b.max.x, b.max.y);
     }
     builder.build().ok()
 }
 
-fn lies_inside(contour: &Contour, bounds: Aabb, outer: &Path) -> bool {
-    let slack = outer.segments.iter().chain(&contour.path.segments).map(rounding).fold(0.0, f64::max);
-    if !outer.bounds().grown(SAME + slack).contains_box(&bounds) {
-        return false;
-    }
-    let segments = &contour.path.segments;
+/// Whether sample points of a path show that it lies inside an outline.
+fn lies_inside(path: &Path, outer: &Path) -> bool {
+    let segments = &path.segments;
     let stride = segments.len().div_ceil(SAMPLES / 2).max(1);
     // Contours of few elements, such as circles, are checked at more points on each.
     let each = u32::try_from(SAMPLES.div_ceil(segments.len().max(1))).unwrap_or(1).max(2);

@@ -61,6 +61,7 @@ fn lies_clear(contours: &[Contour], boxes: &BoxIndex, group: &PierceGroup) -> bo
             path.at(0.5 * path.length())
         })
         .collect();
+    let index = BoxIndex::new(places.iter().map(|p| Aabb::of(*p)));
     let bounds = places.iter().fold(Aabb::EMPTY, |b, p| b.with(*p));
     let outer = |c: u32| contours[c as usize].inside;
     let around: Vec<u32> =
@@ -71,7 +72,11 @@ fn lies_clear(contours: &[Contour], boxes: &BoxIndex, group: &PierceGroup) -> bo
         if group.contours.binary_search(&c).is_ok() {
             return true;
         }
-        let within = places.iter().filter(|p| winding(boundary, **p).is_inside()).count();
+        let mut within = 0;
+        index.visit(boundary.bounds(), |p| {
+            within += usize::from(places.get(p).is_some_and(|p| winding(boundary, *p).is_inside()));
+            true
+        });
         within == 0 || (within == places.len() && around.contains(&c))
     })
 }

@@ -2,8 +2,8 @@
 
 use super::graph::{Face, Graph, HalfEdge};
 use super::joined::{Joined, Role};
-use super::shapes::{Fate, Known, alike};
-use crate::geometry::{Path, Segment, winding};
+use super::shapes::{ALIKE, Fate, Known, alike};
+use crate::geometry::{Aabb, BoxIndex, Path, Segment, winding};
 use crate::order::sort_by;
 use crate::sheet::assemble::close::meet;
 use crate::sheet::element::{Chain, Chains, Element, ROUNDING, with_start};
@@ -69,6 +69,8 @@ struct Owners<'a> {
     replaced: Vec<bool>,
     /// The faces that become contours, in drawing order.
     order: Vec<usize>,
+    /// Whether a face becomes a contour.
+    made: Vec<bool>,
     /// For each chain, the closed shape that it belongs to.
     known_of: Vec<Option<usize>>,
     /// For each face, the closed shape that it is.
@@ -89,7 +91,8 @@ impl<'a> Owners<'a> {
             }
         }
         let of = vec![None; graph.edges.len()];
-        Self { joined, graph, faces, known, of, replaced, order: Vec::new(), known_of, shape }
+        let made = vec![false; faces.len()];
+        Self { joined, graph, faces, known, of, replaced, order: Vec::new(), made, known_of, shape }
     }
 
     fn edges(&self, face: usize) -> impl Iterator<Item = usize> + use<'a> {
@@ -127,18 +130,24 @@ impl<'a> Owners<'a> {
                 self.take_back(f);
             }
         }
-        self.order.extend(order);
+        order.into_iter().for_each(|f| self.make(f));
+    }
+
+    /// Makes a face a contour.
+    fn make(&mut self, face: usize) {
+        self.made[face] = true;
+        self.order.push(face);
     }
 
     /// Makes the face that a closed shape is a contour of the network.
     fn replace(&mut self, shape: usize, face: usize) {
         let known = self.known;
         if let Some(Known { chains, edges, .. }) = known.get(shape)
-            && !self.order.contains(&face)
+            && !self.made[face]
         {
             edges.iter().for_each(|&e| self.of[e] = Some(face));
             chains.iter().for_each(|&c| self.replaced[c as usize] = true);
-            self.order.push(face);
+            self.make(face);
         }
     }
 
@@ -153,21 +162,29 @@ impl<'a> Owners<'a> {
 
     /// Gives an edge back to faces that are drawn as closed shapes of which cleaning left nothing.
     fn restore(&mut self, covered: &[Path], tolerance: f64) {
+        if covered.is_empty() {
+            return;
+        }
+        let tolerance = tolerance.max(ROUNDING);
+        let around = |f: usize| {
+            let elements = self.edges(f).flat_map(|e| &self.graph.edges[e].elements);
+            elements.fold(Aabb::EMPTY, |b, e| b.union(e.segment.bounds()))
+        };
+        let bounds: Vec<Aabb> = (0..self.faces.len()).map(around).collect();
+        let corners = BoxIndex::new(bounds.iter().map(|b| Aabb::of(b.min)));
         for outline in covered {
-            let (bounds, area) = (outline.bounds(), outline.area().abs());
+            let drawn = (outline.bounds(), outline.area().abs());
             let same = |f: &usize| {
-                let segments = self.edges(*f).flat_map(|e| &self.graph.edges[e].elements);
-                let around = segments.fold(crate::geometry::Aabb::EMPTY, |b, e| b.union(e.segment.bounds()));
-                let face = (around, self.faces[*f].area);
                 let inner = || self.graph.inner_point(&self.faces[*f]);
-                alike(face, (bounds, area), outline.length(), tolerance.max(ROUNDING))
+                alike((bounds[*f], self.faces[*f].area), drawn, outline.length(), tolerance)
                     && inner().is_none_or(|p| winding(outline, p).is_inside())
             };
-            let found = (0..self.faces.len()).find(same);
-            if let Some(f) = found.filter(|f| self.shape[*f].is_none() && !self.order.contains(f))
+            let near = Aabb::of(drawn.0.min).grown(ALIKE * tolerance);
+            let found = corners.query(near).into_iter().find(same);
+            if let Some(f) = found.filter(|f| self.shape[*f].is_none() && !self.made[*f])
                 && self.take_back(f)
             {
-                self.order.push(f);
+                self.make(f);
             }
         }
     }

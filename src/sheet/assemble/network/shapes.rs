@@ -2,7 +2,7 @@
 
 use super::graph::{Face, Graph};
 use super::joined::{Joined, Role};
-use crate::geometry::{Aabb, DVec2, Path, Segment, interior_point, winding};
+use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, interior_point, winding};
 use crate::sheet::cluster::cluster;
 use crate::sheet::element::{Element, ROUNDING};
 
@@ -59,7 +59,7 @@ pub(super) fn known(joined: &Joined, graph: &Graph, faces: &[Face]) -> Vec<Known
             }
         }
     }
-    let mut inner: Vec<Option<DVec2>> = Vec::new();
+    let mut inner: Option<InnerPoints> = None;
     let mut known = |(role, chains): (Role, Vec<u32>)| {
         let edges: Vec<usize> = chains.iter().flat_map(|&c| graph.of(c)).collect();
         let outline = outline(joined, role, &chains);
@@ -67,10 +67,8 @@ pub(super) fn known(joined: &Joined, graph: &Graph, faces: &[Face]) -> Vec<Known
         let fate = match face_of(graph, faces, &side, &edges, &outline, slack) {
             Some(face) => Fate::Is(face),
             None => {
-                if inner.is_empty() {
-                    inner = faces.iter().map(|face| graph.inner_point(face)).collect();
-                }
-                if is_filled(graph, faces, &inner, &edges, &outline, slack) {
+                let inner = inner.get_or_insert_with(|| InnerPoints::new(graph, faces));
+                if is_filled(graph, faces, inner, &edges, &outline, slack) {
                     Fate::Divided
                 } else {
                     Fate::Kept
@@ -104,22 +102,38 @@ fn face_of(
     [side[2 * first], side[2 * first + 1]].into_iter().find(|&f| is(f))
 }
 
+/// A point well inside each face, where there is one.
+struct InnerPoints {
+    points: Vec<Option<DVec2>>,
+    index: BoxIndex,
+}
+
+impl InnerPoints {
+    fn new(graph: &Graph, faces: &[Face]) -> Self {
+        let points: Vec<Option<DVec2>> = faces.iter().map(|face| graph.inner_point(face)).collect();
+        let index = BoxIndex::new(points.iter().map(|p| p.map_or(Aabb::EMPTY, Aabb::of)));
+        Self { points, index }
+    }
+
+    /// The faces inside an outline, in order.
+    fn inside(&self, outline: &Path) -> impl Iterator<Item = usize> {
+        let near = self.index.query(outline.bounds()).into_iter();
+        near.filter(|f| self.points[*f].is_some_and(|p| winding(outline, p).is_inside()))
+    }
+}
+
 /// Whether the faces of the same set inside an outline fill it.
 fn is_filled(
     graph: &Graph,
     faces: &[Face],
-    inner: &[Option<DVec2>],
+    inner: &InnerPoints,
     edges: &[usize],
     outline: &Path,
     slack: f64,
 ) -> bool {
     let set = edges.first().map(|&e| graph.edges[e].set);
-    let bounds = outline.bounds();
-    let lies_in = |(face, p): &(&Face, &Option<DVec2>)| {
-        let of = face.around.first().map(|h| graph.edges[h / 2].set);
-        of == set && p.is_some_and(|p| bounds.contains(p) && winding(outline, p).is_inside())
-    };
-    let filled: f64 = faces.iter().zip(inner).filter(lies_in).map(|(face, _)| face.area).sum();
+    let of_set = |face: &&Face| face.around.first().map(|h| graph.edges[h / 2].set) == set;
+    let filled: f64 = inner.inside(outline).map(|f| &faces[f]).filter(of_set).map(|face| face.area).sum();
     (filled - outline.area().abs()).abs() <= slack
 }
 
@@ -195,8 +209,11 @@ pub(super) fn covered(joined: &Joined) -> Vec<Path> {
     out
 }
 
+/// Largest distance between corners of the boxes of two outlines that are alike, in tolerances.
+pub(super) const ALIKE: f64 = 2.0;
+
 /// Whether two outlines have the same box and area within the tolerance.
 pub(super) fn alike(a: (Aabb, f64), b: (Aabb, f64), length: f64, tolerance: f64) -> bool {
-    let near = |p: DVec2, q: DVec2| p.distance(q) <= 2.0 * tolerance;
+    let near = |p: DVec2, q: DVec2| p.distance(q) <= ALIKE * tolerance;
     near(a.0.min, b.0.min) && near(a.0.max, b.0.max) && (a.1 - b.1).abs() <= tolerance * length
 }
