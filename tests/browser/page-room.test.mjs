@@ -48,7 +48,7 @@ test('the heading of the drawing counts the errors and warnings that its list co
   // Wider than the bed of the machine.
   await drop(page, 'wide.dxf', grid(10, { step: 600 }));
   await planned(page, 'wide.dxf', 'done');
-  await page.getByText('Not on the bed, so no program').first().waitFor();
+  await page.locator('.dock').getByText('Not on the bed, so no program').waitFor();
   const drawing = page.locator('details.section', { has: page.getByRole('heading', { name: 'Drawing', exact: true }) });
   assert.equal(await drawing.locator('.gist.error').textContent(), '10 contours, 1 error');
   assert.equal(await drawing.locator('details.more.errors > summary').textContent(), '1 error');
