@@ -44,7 +44,7 @@ pub(crate) fn other_format(bytes: &[u8]) -> Option<&'static str> {
         ),
         (
             b"\x1F\x8B",
-            "This is a gzip archive, perhaps a compressed SVG (.svgz). Unpack it, or save the drawing as plain SVG,.",
+            "This is a gzip archive, perhaps a compressed SVG (.svgz). Unpack it, or save the drawing as plain SVG.",
         ),
         (b"Rar!", "This is a RAR archive. Unpack it and use the DXF or SVG file in it."),
         (b"7z\xBC\xAF", "This is a 7z archive. Unpack it and use the DXF or SVG file in it."),

@@ -316,7 +316,7 @@ fn a_layer_cuts_at_its_own_speed_and_power_in_the_program() {
 
 /// The plan was made, and its program was then refused without a hint at the layer.
 #[test]
-fn a_layer_that_is_faster_than_the_machine_is_a_finding_and_is_not_written() {
+fn layers_that_are_faster_than_the_machine_or_without_power_are_not_written() {
     let at = |speed| planned(vec![layer("LINE", |l| l.speed = Some(speed))], PassOrder::Contour, machine());
     let told = |job: &Job| -> Vec<(Code, String)> {
         job.run().unwrap().findings.iter().map(|f| (f.code, f.message.clone())).collect()
@@ -327,6 +327,17 @@ fn a_layer_that_is_faster_than_the_machine_is_a_finding_and_is_not_written() {
     let message = "Layer LINE is worked at 150 mm/s, but the machine moves with at most 100 mm/s: it takes longer than planned, and is not written as G-code. \
         Lower the speed of the layer, or raise the rapids of the machine.";
     assert!(told(&job).contains(&(Code::LayerTooFast, message.to_owned())), "{:?}", told(&job));
+    // Without power nothing is cut either, however small it was meant to be.
+    for power in [0.0, 0.0004] {
+        let weak = planned(vec![layer("LINE", |l| l.power = Some(power))], PassOrder::Contour, machine());
+        assert_eq!(
+            weak.output(OutputKind::Gcode).unwrap_err().to_string(),
+            "GRBL 1.1 (dialect \"grbl-m4\") cannot cut or mark with a power of 0: raise the power of the machine's process, or of the layer."
+        );
+    }
+    planned(vec![layer("LINE", |l| l.power = Some(0.0006))], PassOrder::Contour, machine())
+        .output(OutputKind::Gcode)
+        .unwrap();
     assert_eq!(
         job.output(OutputKind::Gcode).unwrap_err().to_string(),
         "GRBL 1.1 (dialect \"grbl-m4\") cannot be asked for 150 mm/s by a layer, because the machine moves with at most 100 mm/s: \

@@ -116,6 +116,8 @@ describe('render', () => {
   it('refuses another drawing', async () => {
     const planned = await plan(PLATE, { units: 'mm', moves: 10 });
     await assert.rejects(render(keyboard(), planned, 'svg'), /not the drawing that was planned/);
+    // It had the budget of no search, not that of the plan.
+    await assert.rejects(render(keyboard(), planned, 'json'), (error) => error.code === 'not-a-choice' && error.params.field === 'kind');
   });
 });
 

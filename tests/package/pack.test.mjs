@@ -143,10 +143,16 @@ describe('the published package', () => {
       import kerfway = require('kerfway');
       const planned: Promise<Planned> = plan(new Uint8Array(0), { seconds: 1 });
       void planned.then((p: kerfway.Planned) => p.summary.total_time);`);
+    // The names of the elements were unknown to hosts that import their classes.
+    writeFileSync(join(at, 'element.ts'), `
+      import type { KerfwayQuote } from 'kerfway/element';
+      const quote: KerfwayQuote | null = document.querySelector('kerfway-quote');
+      document.createElement('kerfway-planner').stop();
+      document.createElement('kerfway-quote').price = (report) => `${report.hash} ${quote}`;`);
     const tsc = join(ROOT, 'node_modules', 'typescript', 'bin', 'tsc');
     for (const [module, resolution] of [['NodeNext', 'NodeNext'], ['ESNext', 'Bundler']]) {
       const options = ['--strict', '--noEmit', '--target', 'ES2022', '--lib', 'ES2022,DOM', '--types', ''];
-      run(tsc, ...options, '--module', module, '--moduleResolution', resolution, 'use.ts');
+      run(tsc, ...options, '--module', module, '--moduleResolution', resolution, 'use.ts', 'element.ts');
     }
     run(tsc, '--strict', '--noEmit', '--target', 'ES2022', '--types', '', '--lib', 'ES2022,DOM', '--module', 'NodeNext', 'common.cts');
   });

@@ -62,6 +62,24 @@ describe('a project', () => {
     }
   });
 
+  /** Such projects were written, and then refused when they were opened, or opened with another drawing. */
+  it('that could not be read again is not written', async () => {
+    const good = await planned();
+    const refused = [
+      [undefined, 'wrong-type', /it is no object/],
+      [{ ...good, name: undefined }, 'wrong-type', /its name or its drawing is missing/],
+      [{ ...good, drawing: undefined }, 'not-bytes', /./],
+      [{ ...good, drawing: [1, 2, 3] }, 'not-bytes', /./],
+      [{ ...good, reading: { foo: 1 } }, 'unknown-field', /foo/],
+      [{ ...good, planning: undefined }, 'wrong-type', /what was decided about its drawing is missing/],
+      [{ ...good, plan: { ...good.plan, curve: undefined } }, 'wrong-type', /a number of its plan is missing/],
+    ];
+    for (const [project, code, sentence] of refused) {
+      await assert.rejects(writeProject(project), (error) => error.code === code && sentence.test(error.message), String(sentence));
+    }
+    assert.equal((await readProject(text(await writeProject({ ...good, plan: undefined })))).plan, null);
+  });
+
   it('whose drawing fills the memory when it is unpacked is refused', async () => {
     const bomb = await writeProject({ ...(await planned()), drawing: new Uint8Array(257 * 2 ** 20) });
     assert.ok(bomb.length < 2 ** 20);

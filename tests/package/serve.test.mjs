@@ -56,6 +56,22 @@ describe('the service', () => {
     assert.match(seen.thumbnails[0], /^<svg [^>]*width="64"/);
   });
 
+  it('took a list of lists in the query for lists of one, which ask for nothing', async (t) => {
+    const { send } = await serve(t);
+    const taken = async (query) => (await (await send(`/plan?${SHORT}&${query}`, bytes(KEYBOARD))).json()).options.together;
+    assert.deepEqual(await taken('together=1,2'), [[1, 2]]);
+    assert.deepEqual(await taken('together=1,2&together=3,4'), [[1, 2], [3, 4]]);
+    assert.deepEqual(await taken(`options=${encodeURIComponent('{"together":[[1,2],[3,4]]}')}`), [[1, 2], [3, 4]]);
+  });
+
+  it('took a client that left for a fault of its own', async (t) => {
+    const { send, metric, log } = await serve(t, '--workers', '1');
+    await assert.rejects(send('/plan?seconds=20&seed=1', bytes(KEYBOARD), { signal: AbortSignal.timeout(1_000) }), { name: 'TimeoutError' });
+    while (!log.some((l) => l.event === 'request')) await wait(20);
+    assert.deepEqual(log.filter((l) => l.event === 'request').map((l) => [l.level, l.status, l.code]), [['info', 499, 'closed']]);
+    assert.equal(await metric('kerfway_requests_total'), 1);
+  });
+
   it('writes no program in a unit that is in doubt', async (t) => {
     const { send } = await serve(t);
     // 10 x 10, and nothing but the header says millimetres: as likely inches.
@@ -85,8 +101,13 @@ describe('the service', () => {
     assert.equal(await field('/quote?options={', 400, 'not-json'), 'options');
     assert.equal(await field('/quote?__proto__=1', 400, 'unknown-field'), '__proto__');
     assert.equal(await field('/inspect?thumbnails=x', 400, 'out-of-range'), 'thumbnails');
+    // The rest of a path was dropped, and the option before it was set.
+    assert.equal(await field('/plan?moves.foo=10', 400, 'unknown-field'), 'moves.foo');
+    assert.equal(await field('/plan?machine=co2-100w&machine.kerf_width=0.2', 400, 'unknown-field'), 'machine.kerf_width');
+    assert.equal(await field('/quote?moves=1000&moves=2000', 400, 'wrong-type'), 'moves');
     await refused(await send('/quote', new Uint8Array(0)), 422, 'not-a-drawing');
-    await refused(await send('/quote', new Uint8Array(200_000)), 413, 'too-large');
+    const large = await refused(await send('/quote', new Uint8Array(200_000)), 413, 'too-large');
+    assert.equal(large.message, 'The body has more than 0.1 MB, which is the limit of this service.');
     await refused(await send('/quote', PLATE, { headers: { 'content-type': 'multipart/mixed; boundary=x' } }), 415, 'unsupported-media-type');
     await refused(await send('/quote', `--x\r\nContent-Disposition: form-data; name="a"\r\n\r\n`), 415, 'unsupported-media-type');
     await refused(await fetch(`${url}/nothing`), 404, 'not-found');

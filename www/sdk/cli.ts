@@ -56,7 +56,7 @@ try {
   // A program that reads JSON gets the reason as JSON, too.
   if (words.some((word, k) => word === '--json=-' || (word === '--json' && words[k + 1] === '-'))) {
     const report = error instanceof Unusable ? error.report : new KerfwayError('wrong-usage', error.message).toJSON();
-    await print(failureDocument(null, report)).catch(() => {});
+    if (report !== null) await print(failureDocument(null, report)).catch(() => {});
   }
   if (error instanceof WrongUse) process.stderr.write(Object.hasOwn(COMMANDS, command) ? `Run kerfway help ${command} for its options.\n` : 'Run kerfway help for the commands.\n');
   process.exitCode = error instanceof Unusable ? error.exit : EXIT.wrongUse;

@@ -6,7 +6,7 @@
 import { quietAtClose } from './closed.js';
 import { stopIfRefusedOffBed } from './doubt.js';
 import { KerfwayError } from './errors.js';
-import { checkOptions, planning, reading, terms } from './options.js';
+import { checkOptions, checkRendered, planning, reading, terms } from './options.js';
 import { readBytes, type Bytes, type Source } from './bytes.js';
 import type { CheckOptions, InspectOptions, JobOptions, PlanJobOptions, PlanningOptions, QuoteOptions, RenderOptions } from './options.js';
 import type { Started } from './plan-handle.js';
@@ -207,6 +207,7 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
       };
       return quietAtClose(async () => {
         own = checkOptions(given, 'render');
+        checkRendered(kind);
         if (!isPlanned(planned)) throw new KerfwayError('wrong-type', 'This is no finished plan: give the result of plan, or what JSON.parse makes of its JSON.', { field: 'planned' });
         return withPlanner(work, own.signal);
       });

@@ -121,6 +121,11 @@ export function checkOutput(kind: unknown, width: unknown): void {
   checkOptions({ width }, 'render');
 }
 
+/** Throws a `KerfwayError` unless this is a format that a finished plan can still be written in: as JSON it is written when it is planned. */
+export function checkRendered(kind: unknown): void {
+  checkOne('The option', 'kind', { choice: OUTPUTS.filter((k) => k !== 'json') }, kind);
+}
+
 /** Throws a `KerfwayError` unless this is the text of a program, or nothing. */
 export function checkProgram(program: unknown): void {
   if (program !== null && typeof program !== 'string') throw new KerfwayError('wrong-type', 'The program is not given as text. Give a string, or the bytes of a file.', { field: 'program' });

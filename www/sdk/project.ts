@@ -6,8 +6,8 @@
  */
 
 import { base64 } from './base64.js';
-import { readBytes, type Bytes } from './bytes.js';
-import { KerfwayError } from './errors.js';
+import { readBytes, viewed, type Bytes } from './bytes.js';
+import { KerfwayError, notBytes } from './errors.js';
 import { checkOptions } from './options.js';
 import { asJson, withWarmPath } from './plain-data.js';
 import { checkSize, endless, MAX_BYTES } from './size.js';
@@ -48,10 +48,17 @@ export interface Project {
   plan: SavedPlan | null;
 }
 
-/** The text of a project file. */
-export async function writeProject({ name, drawing, reading, planning, plan }: Project): Promise<string> {
-  const packed = await through(drawing, new CompressionStream('gzip'), Infinity);
-  return `${JSON.stringify(asJson({ schema: SCHEMA, name, reading, planning, plan, drawing: base64(packed) }))}\n`;
+/** The text of a project file. Throws a `KerfwayError` for what `readProject` would refuse. */
+export async function writeProject(project: Project): Promise<string> {
+  const unwritable: Refusal = (why) => new KerfwayError('wrong-type', `This project cannot be written: ${why}.`);
+  if (!isObject(project)) throw unwritable('it is no object');
+  const { name, reading, planning, plan } = project;
+  const bytes = viewed(project.drawing);
+  if (bytes === null) throw notBytes();
+  const document = JSON.parse(JSON.stringify(asJson({ schema: SCHEMA, name, reading, planning, plan }))) as Record<string, unknown>;
+  checked(document, unwritable);
+  const packed = await through(new Uint8Array(bytes), new CompressionStream('gzip'), Infinity);
+  return `${JSON.stringify({ ...document, drawing: base64(packed) })}\n`;
 }
 
 /** Whether bytes look like a project, by their beginning. */
@@ -67,13 +74,23 @@ export function isProject(bytes: ArrayBuffer | Uint8Array): boolean {
 export async function readProject(file: Bytes): Promise<Project> {
   const { bytes } = await readBytes(file);
   checkSize(bytes.byteLength);
-  const { schema, name, reading, planning, plan, drawing } = parsed(bytes);
+  const document = parsed(bytes);
+  const { schema, drawing } = document;
   if (schema !== SCHEMA) throw unusable(`it is of the kind ${String(schema)}, and this version reads ${SCHEMA}`);
-  if (typeof name !== 'string' || typeof drawing !== 'string') throw unusable('its name or its drawing is missing');
-  if (!isObject(reading) || !isObject(planning)) throw unusable('what was decided about its drawing is missing');
+  if (typeof drawing !== 'string') throw unusable('its name or its drawing is missing');
+  return { ...checked(document, unusable), drawing: await unpacked(drawing) };
+}
+
+/** The error for a project that cannot be used, with the reason. */
+type Refusal = (why: string) => KerfwayError;
+
+/** What a project says besides its drawing. */
+function checked({ name, reading, planning, plan }: Record<string, unknown>, refusal: Refusal): Omit<Project, 'drawing'> {
+  if (typeof name !== 'string') throw refusal('its name or its drawing is missing');
+  if (!isObject(reading) || !isObject(planning)) throw refusal('what was decided about its drawing is missing');
   checkOptions(reading, 'load');
   checkOptions(planning, 'planning');
-  return { name, reading, planning, plan: plan === null || plan === undefined ? null : savedPlan(plan), drawing: await unpacked(drawing) };
+  return { name, reading, planning, plan: plan === null || plan === undefined ? null : savedPlan(plan, refusal) };
 }
 
 function parsed(bytes: ArrayBuffer | Uint8Array): Record<string, unknown> {
@@ -84,12 +101,12 @@ function parsed(bytes: ArrayBuffer | Uint8Array): Record<string, unknown> {
   throw unusable('it is not JSON, or only a part of it');
 }
 
-function savedPlan(value: unknown): SavedPlan {
-  if (!isObject(value) || !isObject(value['path'])) throw unusable('its plan has no path');
+function savedPlan(value: unknown, refusal: Refusal): SavedPlan {
+  if (!isObject(value) || !isObject(value['path'])) throw refusal('its plan has no path');
   const { seed, moves, seconds, total_time, lower_bound = 0, done, path, curve } = value;
   const { at, total } = isObject(curve) ? curve : {};
   const isNumbers = (list: unknown): list is number[] => Array.isArray(list) && list.every((n) => typeof n === 'number' && n >= 0);
-  if (!isNumbers([seed, moves, seconds, total_time, lower_bound]) || !isNumbers(at) || !isNumbers(total) || at.length !== total.length) throw unusable('a number of its plan is missing');
+  if (!isNumbers([seed, moves, seconds, total_time, lower_bound]) || !isNumbers(at) || !isNumbers(total) || at.length !== total.length) throw refusal('a number of its plan is missing');
   const options = withWarmPath({ seed: seed as number, warm: path as unknown as WarmPath });
   checkOptions(options, 'planning');
   return { seed, moves, seconds, total_time, lower_bound, done: done === true, curve: { at, total }, path: options.warm } as SavedPlan;
@@ -121,6 +138,6 @@ async function through(bytes: Uint8Array, stream: CompressionStream | Decompress
   return new Uint8Array(await new Blob(chunks).arrayBuffer());
 }
 
-const unusable = (why: string) => new KerfwayError('not-a-drawing', `This project file cannot be used: ${why}. Save the project again.`);
+const unusable: Refusal = (why) => new KerfwayError('not-a-drawing', `This project file cannot be used: ${why}. Save the project again.`);
 
 const isObject = (value: unknown): value is Record<string, unknown> => typeof value === 'object' && value !== null && !Array.isArray(value);

@@ -42,6 +42,7 @@ use super::sheet_facts::SheetFacts;
 use crate::geometry::{Aabb, DVec2, Path, Segment};
 use crate::machine::dialect::{Dialect, Pierce, PierceBy};
 use crate::machine::{Profile, Start, far_out};
+use crate::number::power_of_ten;
 use crate::plan::{Move, Plan, Way};
 use beam::Beam;
 pub use check::{Check, CheckCode, CheckProblem, check, check_against};
@@ -178,6 +179,13 @@ impl<'d> Writer<'d> {
                 "cannot be asked for {} mm/s by a layer, because the machine moves with at most {most} mm/s: lower the speed of the layer, or raise the rapids of the machine.",
                 fast.speed
             ));
+        }
+        let full = self.dialect.power.full.unwrap_or(self.profile.max_s);
+        let least = 0.5 / power_of_ten(self.dialect.power.decimals);
+        if processes.iter().any(|p| p.power * full < least) {
+            return refuse(
+                "cannot cut or mark with a power of 0: raise the power of the machine's process, or of the layer.",
+            );
         }
         if self.dialect.air.is_none() && processes.iter().any(|p| p.air) {
             return refuse(

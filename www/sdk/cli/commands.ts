@@ -315,7 +315,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
         'upload-seconds': { value: 'S', about: 'the time for a body to arrive, and for an answer to be read, with a second more for each MB of it (default 30)' },
         deadline: { value: 'S', about: 'the time for a drawing, besides the seconds of its search (default 120)' },
         'most-seconds': { value: 'S', about: 'the longest search that a request may ask for (default 60)' },
-        'most-moves': { value: 'N', about: 'the most moves that a request may ask for (default 100000000)' },
+        'most-moves': { value: 'N', about: 'the most moves that a request may ask for (default 500000000)' },
         grace: { value: 'S', about: 'the time to finish what runs when it is stopped (default 30)' },
       },
       'Several machines': {

@@ -5,13 +5,6 @@ import { DrawingElement } from './drawing.js';
 import { KerfwayPlanner } from './planner.js';
 import { KerfwayQuote } from './quote.js';
 
-declare global {
-  interface HTMLElementTagNameMap {
-    'kerfway-planner': KerfwayPlanner;
-    'kerfway-quote': KerfwayQuote;
-  }
-}
-
 export function defineElements(createPlanner: () => Promise<Planner>): void {
   DrawingElement.createPlanner ??= createPlanner;
   const registry = globalThis.customElements as CustomElementRegistry | undefined;

@@ -13,6 +13,13 @@ export type PlannerEvents = DrawingEvents<Planned<'gcode'>>;
 /** The state of `<kerfway-planner>`. */
 export type PlannerState = ElementState;
 
+// Beside the class, because hosts import its types, and not those of the file that registers it.
+declare global {
+  interface HTMLElementTagNameMap {
+    'kerfway-planner': KerfwayPlanner;
+  }
+}
+
 /** The class of `<kerfway-planner>`. */
 export class KerfwayPlanner extends DrawingElement<Planned<'gcode'>, 'gcode'> {
   constructor() {

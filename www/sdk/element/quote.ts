@@ -16,6 +16,13 @@ export type QuoteEvents = DrawingEvents<Quote>;
 
 const MATERIAL = ['material', 'thickness', 'density'] as const;
 
+// Beside the class, because hosts import its types, and not those of the file that registers it.
+declare global {
+  interface HTMLElementTagNameMap {
+    'kerfway-quote': KerfwayQuote;
+  }
+}
+
 /** `<kerfway-quote>`. */
 export class KerfwayQuote extends DrawingElement<Quote, never> {
   /** @internal The browser reads it. */

@@ -39,8 +39,15 @@ export function requestOptions(kind: JobKind, query: URLSearchParams, form: Read
     const text = source.get('options');
     if (text !== null && text !== undefined) for (const [name, value] of Object.entries(parsed(text))) own(options, name, value);
   }
-  for (const [name, text] of [...query, ...form]) {
-    if (!OWN.includes(name)) set(options, fields, name.split('.'), text, name);
+  for (const source of [query, form]) {
+    const known = new Set<string>();
+    for (const [name, text] of source) {
+      if (OWN.includes(name)) continue;
+      const again = known.has(name);
+      if (again && !holdsLists(fields.find((f) => f.name === name)?.kind)) throw new KerfwayError('wrong-type', `The option "${name}" is given twice.`, { field: name });
+      known.add(name);
+      set(options, fields, name.split('.'), text, { path: name, again });
+    }
   }
   const strange = NOT_FOR_REQUESTS.find((name) => Object.hasOwn(options, name));
   if (strange !== undefined) throw new KerfwayError('unknown-field', `${kind} has no option "${strange}" in this service.`, { field: strange });
@@ -66,17 +73,25 @@ function own(options: Record<string, unknown>, name: string, value: unknown): vo
   Object.defineProperty(options, name, { value, enumerable: true, configurable: true, writable: true });
 }
 
-/** Sets a single option from its text. An unknown one is set as it is, so that the check names it. */
-function set(options: Record<string, unknown>, fields: readonly Field[], [name = '', ...rest]: string[], text: string, path: string): void {
+/**
+ * Sets a single option from its text. An unknown one is set as it is, so that the check names it. `again`: a further list of an option that holds
+ * lists.
+ */
+function set(options: Record<string, unknown>, fields: readonly Field[], [name = '', ...rest]: string[], text: string, given: { path: string; again: boolean }): void {
   const field = fields.find((f) => f.name === name);
-  if (rest.length === 0 || field === undefined || typeof field.kind === 'string' || !('object' in field.kind)) {
-    const whole = rest.length === 0 || field === undefined ? [name, ...rest].join('.') : name;
-    own(options, whole, field === undefined ? text : valueOf(field.kind, text));
-    return;
-  }
-  const inner = (options[name] ??= {});
-  if (typeof inner !== 'object') throw new KerfwayError('wrong-type', `The option "${name}" is given twice.`, { field: path });
-  set(inner as Record<string, unknown>, field.kind.object, rest, text, path);
+  const kind = field?.kind;
+  if (rest.length > 0 && typeof kind === 'object' && 'object' in kind) {
+    const inner = (options[name] ??= {});
+    if (typeof inner !== 'object') throw new KerfwayError('wrong-type', `The option "${name}" is given twice.`, { field: given.path });
+    set(inner as Record<string, unknown>, kind.object, rest, text, given);
+  } else if (rest.length > 0 || kind === undefined) own(options, [name, ...rest].join('.'), text);
+  else if (holdsLists(kind)) own(options, name, [...(given.again ? (options[name] as unknown[]) : []), valueOf(kind.list, text)]);
+  else own(options, name, valueOf(kind, text));
+}
+
+/** Whether an option is a list of lists: `together=3,4&together=7,8` are two lists. */
+function holdsLists(kind: Kind | undefined): kind is { list: Kind } {
+  return typeof kind === 'object' && 'list' in kind && typeof kind.list === 'object' && 'list' in kind.list;
 }
 
 /** The value that a text stands for. One that cannot be read stays a text, which the check refuses by name. */

@@ -15,7 +15,7 @@ import { Metrics } from './metrics.js';
 import { openapi } from './openapi.js';
 import { JOB_KINDS, requestOptions, type JobKind } from './request-options.js';
 import type { ServerSettings } from './settings.js';
-import { statusOf, told } from './status.js';
+import { CLIENT_LEFT, statusOf, told } from './status.js';
 
 /** A running service. */
 export interface Service {
@@ -114,6 +114,7 @@ class HttpService {
     } catch (error) {
       reply = this.failed(error, gone.signal);
     }
+    if (gone.signal.aborted && reportOf(gone.signal.reason).code === 'closed') reply = { ...reply, status: CLIENT_LEFT };
     this.send(request, response, reply);
     const seconds = (performance.now() - begun) / 1000;
     this.metrics.answered(route, reply.status, seconds, reply.code ?? null);

@@ -38,8 +38,8 @@ export const DEFAULTS: Omit<ServerSettings, 'workers'> = {
   upload: 30,
   deadline: 120,
   mostSeconds: 60,
-  // A quote of 20,000 contours.
-  mostMoves: 100_000_000,
+  // The budget of a quote of 20,000 contours (`quoteBudget`), so that a server confirms every price that it can work out before its deadline.
+  mostMoves: 500_000_000,
   grace: 30,
   cors: [],
   keys: new Map(),

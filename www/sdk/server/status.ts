@@ -14,6 +14,9 @@ const STATUS: Readonly<Record<ErrorCode, number>> = {
   closed: 503, stopping: 503, 'queue-unavailable': 503, deadline: 504,
 };
 
+/** What is counted and logged for a client that has disconnected before its answer, as nginx does: no fault of the service. */
+export const CLIENT_LEFT = 499;
+
 export function statusOf(code: ErrorCode): number {
   return STATUS[code] ?? 500;
 }
