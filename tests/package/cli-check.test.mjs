@@ -25,7 +25,7 @@ it('a program passes its check, and a broken one fails with exit code 1', async 
   assert.match(passed.stdout, /Beam       off on every rapid\n/);
   assert.match(passed.stdout, /on the bed/);
 
-  writeFileSync(at('broken.nc'), readFileSync(at('plate.nc'), 'utf8').replace('M5 S0\nG0 X0 Y0\nM2', 'G0 X0 Y0\nM2'));
+  writeFileSync(at('broken.nc'), readFileSync(at('plate.nc'), 'utf8').replace('M5 S0\nG0 X0 Y0\n; checksum', 'G0 X0 Y0\n; checksum'));
   const broken = await kerfway('check', at('broken.nc'), '--json', at('broken.json'));
   assert.equal(broken.code, 1);
   assert.match(broken.stderr, /broken\.nc fails: /);

@@ -148,7 +148,7 @@ describe('the published package', () => {
       import type { KerfwayQuote } from 'kerfway/element';
       const quote: KerfwayQuote | null = document.querySelector('kerfway-quote');
       document.createElement('kerfway-planner').stop();
-      document.createElement('kerfway-quote').price = (report) => `${report.hash} ${quote}`;`);
+      document.createElement('kerfway-quote').price = (report) => report.hash + String(quote);`);
     const tsc = join(ROOT, 'node_modules', 'typescript', 'bin', 'tsc');
     for (const [module, resolution] of [['NodeNext', 'NodeNext'], ['ESNext', 'Bundler']]) {
       const options = ['--strict', '--noEmit', '--target', 'ES2022', '--lib', 'ES2022,DOM', '--types', ''];

@@ -40,7 +40,7 @@ export async function uploadOf(request: IncomingMessage, limits: BodyLimits): Pr
 /** Reads the body to its end. */
 function received(request: IncomingMessage, { largest, upload }: BodyLimits): Promise<Buffer> {
   return new Promise((resolve, reject) => {
-    const tooLarge = () => new KerfwayError('too-large', `The body has more than ${Number((largest / 1e6).toPrecision(3))} MB, which is the limit of this service.`, { limit: largest });
+    const tooLarge = () => new KerfwayError('too-large', `The body has more than ${Number((largest / 2 ** 20).toPrecision(3))} MB, which is the limit of this service.`, { limit: largest });
     if (Number(request.headers['content-length'] ?? 0) > largest) return reject(tooLarge());
     const chunks: Buffer[] = [];
     let length = 0;
