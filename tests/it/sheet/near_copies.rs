@@ -3,7 +3,7 @@
 use super::metamorphic::{mapped, similar};
 use super::sketch::*;
 use kerfway::finding::{Code, Severity};
-use kerfway::geometry::{DVec2, Path};
+use kerfway::geometry::{DVec2, Path, math};
 use kerfway::sheet::{Operation, Sheet, SheetOptions, build};
 
 /// A plate with fifteen holes.
@@ -94,7 +94,7 @@ fn copies_exactly_as_far_off_as_the_tolerance_are_removed_whatever_their_shape()
         for (angle, at) in
             [(0.0, p(0.0, 0.0)), (0.0, p(1e3 / 3.0, 9e3 / 7.0)), (0.3, p(0.0, 0.0)), (-2.1, p(-512.3, 1e3))]
         {
-            let along = DVec2::from_angle(angle) * tolerance;
+            let along = math::unit(angle) * tolerance;
             let once = placed(&plate(), angle, at);
             let s = with_copy_tolerance(&twice(&once, along), tolerance);
             assert_eq!((counts(&s), s.parts.len()), ((16, 0), 1), "{tolerance}, {angle}, {at}");
