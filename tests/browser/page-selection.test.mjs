@@ -95,6 +95,7 @@ test('on a phone the card has room for joints and leads', async (t) => {
   await page.keyboard.press('l');
   await page.keyboard.press('w');
   await shot(page, 'selection-phone');
+  await card(page).getByRole('button', { name: 'More choices' }).tap();
   const lead = card(page).getByLabel('Lead');
   await lead.scrollIntoViewIfNeeded();
   assert.ok((await lead.boundingBox()).height >= 43.5);
