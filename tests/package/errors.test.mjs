@@ -114,7 +114,9 @@ describe('bytes', () => {
   });
 
   it('of any other kind are a TypeError with a code', async () => {
-    for (const source of [5, 'text', null, undefined, [1, 2], {}, new Map(), Promise.resolve(own)]) {
+    const given = own.slice();
+    structuredClone(given.buffer, { transfer: [given.buffer] });
+    for (const source of [5, 'text', null, undefined, [1, 2], {}, new Map(), Promise.resolve(own), given, given.buffer]) {
       const error = await inspect(source).then(() => assert.fail(String(source)), (e) => e);
       assert.ok(error instanceof TypeError, String(source));
       assert.deepEqual([error.code, error.retryable], ['not-bytes', false]);

@@ -106,7 +106,7 @@ describe('baskets and price breaks', () => {
   it('name what is wrong', async () => {
     const report = await quote(dxf(square(0, 0, 10)), { moves: 10, seed: 1 });
     for (const [call, code, field] of [
-      [() => basket([{ report: {} }]), 'not-a-quote', 'items[0].report'], [() => basket([{ report, quantity: 0 }]), 'out-of-range', 'items[0].quantity'],
+      [() => basket([{ report: {} }]), 'not-a-quote', 'items[0].report'], [() => basket([{ report, quantity: 0 }]), 'out-of-range', 'items[0].quantity'], [() => basket([{ report, quantity: Object.create(null) }]), 'wrong-type', 'items[0].quantity'],
       [() => basket(null), 'wrong-type', 'items'], [() => priceBreaks(report), 'wrong-type', 'quantities'],
       [() => priceBreaks(report, [1.5]), 'out-of-range', 'quantities[0]'], [() => priceBreaks(report, [1], { stock: { width: 5 } }), 'missing-field', 'height'],
       [() => priceBreaks(report, [1], { stock: { width: 100, height: 100, gpa: 1 } }), 'unknown-field', 'gpa'],
@@ -183,6 +183,9 @@ describe('thumbnails', () => {
     assert.match(svg, /<path d="M14 94L34 94" fill="none"/);
     assert.throws(() => partThumbnail(loaded, 1), { code: 'unknown-contour' });
     assert.throws(() => partThumbnail(loaded, 0, { size: NaN }), { code: 'out-of-range' });
+    assert.throws(() => partThumbnail(loaded, 0, null), { code: 'wrong-type' });
+    assert.throws(() => partThumbnail(loaded, Object.create(null)), { code: 'unknown-contour', message: 'Contour an object is not the outer contour of a part.' });
+    assert.throws(() => partThumbnail(null, 0), { code: 'wrong-type' });
     assert.ok(!/NaN|undefined|Infinity/.test(svg));
     for (const name of ['dxf-dev/mozman_ezdxf__forms.dxf', KEYBOARD]) {
       const real = await inspect(bytes(name));

@@ -109,6 +109,8 @@ describe('calls of a pool', () => {
     assert.throws(() => createPool({ siz: 2 }), /The pool has no option "siz"\. Did you mean "size"\?/);
     assert.throws(() => createPool({ size: 0 }), /The pool's size is 0\. Give a whole number from 1 on/);
     assert.throws(() => createPool({ size: 1, queue: 0.5 }), /queue is 0\.5/);
+    assert.throws(() => createPool({ size: 'a'.repeat(100_000) }), { message: `The pool's size is "${'a'.repeat(40)}…". Give a whole number from 1 on.` });
+    assert.throws(() => createPool({ size: Object.create(null) }), { code: 'out-of-range', message: "The pool's size is an object. Give a whole number from 1 on." });
   });
 });
 

@@ -35,6 +35,7 @@ describe('a project', () => {
     const bytes = text(await writeProject(project));
     assert.equal(isProject(bytes), true);
     assert.equal(isProject(PLATE), false);
+    assert.equal(isProject(null), false);
     const read = await readProject(bytes);
     assert.deepEqual(Buffer.from(read.drawing), Buffer.from(PLATE));
     assert.deepEqual([read.name, read.reading, read.planning], [project.name, project.reading, project.planning]);

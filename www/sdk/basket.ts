@@ -66,10 +66,8 @@ const COUNT: Range = { least: 1, most: 1e6, or_zero: false, unit: '', why: 'it i
 
 /** Throws a `KerfwayError` unless this is a number of copies. */
 export function checkQuantity(field: string, quantity: unknown): number {
-  if (typeof quantity === 'number' && Number.isInteger(quantity) && quantity >= COUNT.least && quantity <= COUNT.most) return quantity;
-  throw new KerfwayError('out-of-range', `The quantity "${field}" is ${String(quantity)}. Give a whole number from ${COUNT.least} to ${COUNT.most}: ${COUNT.why}.`, {
-    field, value: String(quantity), least: COUNT.least, most: COUNT.most,
-  });
+  checkOne('The quantity', field, { whole: COUNT }, quantity);
+  return quantity as number;
 }
 
 /** The sheets in stock of the options, checked. */

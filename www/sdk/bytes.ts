@@ -32,10 +32,17 @@ export async function readBytes(source: Source): Promise<ReadBytes> {
 
 /** The bytes of a buffer or a view of one; `null` for anything else. */
 export function viewed(given: unknown): ArrayBuffer | Uint8Array | null {
-  if (ArrayBuffer.isView(given)) return new Uint8Array(given.buffer, given.byteOffset, given.byteLength);
   // Recognised by its tag, because a buffer may come from another frame or context.
   const tag = Object.prototype.toString.call(given);
-  return tag === '[object ArrayBuffer]' || tag === '[object SharedArrayBuffer]' ? (given as ArrayBuffer) : null;
+  const isBuffer = tag === '[object ArrayBuffer]' || tag === '[object SharedArrayBuffer]';
+  try {
+    if (ArrayBuffer.isView(given)) return new Uint8Array(given.buffer, given.byteOffset, given.byteLength);
+    if (isBuffer) new Uint8Array(given as ArrayBuffer);
+  } catch {
+    // A buffer that was given to another thread holds no bytes any more.
+    return null;
+  }
+  return isBuffer ? (given as ArrayBuffer) : null;
 }
 
 type Holder = ByteHolder & Record<string, unknown>;

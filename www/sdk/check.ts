@@ -169,7 +169,8 @@ function clean(text: string): string {
   return short.replace(/[\u0000-\u001f\u007f-\u009f]/g, '\ufffd');
 }
 
-function shown(value: unknown): string {
+/** A value as a sentence shows it. */
+export function shown(value: unknown): string {
   if (typeof value === 'string') return `"${clean(value)}"`;
   if (value === null || ['number', 'boolean', 'undefined'].includes(typeof value)) return String(value);
   if (typeof value === 'bigint') return `${clean(String(value))}n`;

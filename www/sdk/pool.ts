@@ -4,6 +4,7 @@
  * same plan. Each planner serves one file after the other, so the pool holds no more drawings than its size.
  */
 
+import { shown } from './check.js';
 import { ClosedError } from './closed.js';
 import { KerfwayError } from './errors.js';
 import { createFunctions, type Functions, type WithPlanner } from './functions.js';
@@ -57,7 +58,7 @@ interface QueuedCall {
 export function poolOf(open: () => Promise<Planner>, size: number, queue: number = size, deadline: number = DEADLINE): Pool {
   checkCount('size', size, 1);
   checkCount('queue', queue, 0);
-  if (typeof deadline !== 'number' || !(deadline > 0)) throw new KerfwayError('out-of-range', `The pool's deadline is ${String(deadline)}. Give a number of seconds above 0.`, { field: 'deadline', value: String(deadline) });
+  if (typeof deadline !== 'number' || !(deadline > 0)) throw new KerfwayError('out-of-range', `The pool's deadline is ${shown(deadline)}. Give a number of seconds above 0.`, { field: 'deadline', value: shown(deadline) });
   const planners = new PlannerQueue(open, size, deadline);
   const room = async () => {
     while (planners.load >= size + queue) await planners.change();
@@ -220,7 +221,7 @@ class PlannerQueue {
 }
 
 function checkCount(name: string, count: number, least: number): void {
-  if (!Number.isInteger(count) || count < least) throw new KerfwayError('out-of-range', `The pool's ${name} is ${String(count)}. Give a whole number from ${least} on.`, { field: name, value: String(count), least });
+  if (!Number.isInteger(count) || count < least) throw new KerfwayError('out-of-range', `The pool's ${name} is ${shown(count)}. Give a whole number from ${least} on.`, { field: name, value: shown(count), least });
 }
 
 /** The longest time that a timer can wait, in seconds: 2^31 - 1 milliseconds. */

@@ -63,7 +63,8 @@ export async function writeProject(project: Project): Promise<string> {
 
 /** Whether bytes look like a project, by their beginning. */
 export function isProject(bytes: ArrayBuffer | Uint8Array): boolean {
-  const start = new TextDecoder().decode(new Uint8Array(bytes instanceof Uint8Array ? bytes.subarray(0, 64) : bytes.slice(0, 64)));
+  const view = viewed(bytes);
+  const start = view === null ? '' : new TextDecoder().decode(new Uint8Array(view.slice(0, 64)));
   return /^\s*\{\s*"schema"\s*:\s*"kerfway\.project\//.test(start);
 }
 

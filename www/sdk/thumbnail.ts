@@ -1,5 +1,6 @@
 /** Pictures of parts, made from the contents of a drawing without planning it. */
 
+import { check, optional, shown, type Range, type Shape } from './check.js';
 import { KerfwayError } from './errors.js';
 import type { Loaded } from './protocol.js';
 
@@ -9,6 +10,9 @@ export interface ThumbnailOptions {
   size?: number;
 }
 
+const SIZE: Range = { least: 8, most: 4096, or_zero: false, unit: 'pixels', why: 'smaller pictures show nothing' };
+const OPTIONS: Shape = { owner: 'A thumbnail', item: 'option', value: 'The option', fields: [optional('size', { number: SIZE })] };
+
 /** Room around the part, as a fraction of its longer side. */
 const ROOM = 0.04;
 
@@ -17,14 +21,16 @@ const ROOM = 0.04;
  * `id` of the items of a quote. It has the text colour of the page around it.
  */
 export function partThumbnail(loaded: Pick<Loaded, 'contours' | 'geometry' | 'parts'>, id: number, options: ThumbnailOptions = {}): string {
+  const parts: unknown = (loaded as Partial<Loaded> | null)?.parts;
+  if (!Array.isArray(parts)) throw new KerfwayError('wrong-type', 'This is no drawing that was read: give what load or inspect returns.', { field: 'loaded' });
+  check(OPTIONS, options);
   const part = loaded.parts.find((p) => p.outer === id);
-  if (part === undefined) throw new KerfwayError('unknown-contour', `Contour ${String(id)} is not the outer contour of a part.`, { contour: Number(id), count: loaded.contours.length });
+  if (part === undefined) throw new KerfwayError('unknown-contour', `Contour ${shown(id)} is not the outer contour of a part.`, { contour: Number(id), count: loaded.contours.length });
   return thumbnailOf(loaded, part, options);
 }
 
 /** The same for a part that is at hand, without looking for it among all parts. */
 export function thumbnailOf(loaded: Pick<Loaded, 'contours' | 'geometry'>, part: Loaded['parts'][number], { size = 96 }: ThumbnailOptions = {}): string {
-  if (!(size >= 8 && size <= 4096)) throw new KerfwayError('out-of-range', `The option "size" is ${String(size)}. Give a number from 8 to 4096 pixels.`, { field: 'size', value: String(size), least: 8, most: 4096 });
   const isArea = (contour: number) => loaded.contours[contour]?.closed === true && loaded.contours[contour]?.operation === 'cut';
   const lines = [part.outer, ...part.holes].map((contour) => ({ area: isArea(contour), elements: elementsOf(loaded.geometry, contour) }));
   const outer = boxOf(lines[0]?.elements ?? []);
