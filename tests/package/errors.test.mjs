@@ -117,8 +117,9 @@ describe('bytes', () => {
     const given = own.slice();
     structuredClone(given.buffer, { transfer: [given.buffer] });
     for (const source of [5, 'text', null, undefined, [1, 2], {}, new Map(), Promise.resolve(own), given, given.buffer]) {
-      const error = await inspect(source).then(() => assert.fail(String(source)), (e) => e);
-      assert.ok(error instanceof TypeError, String(source));
+      const what = Object.prototype.toString.call(source);
+      const error = await inspect(source).then(() => assert.fail(what), (e) => e);
+      assert.ok(error instanceof TypeError, what);
       assert.deepEqual([error.code, error.retryable], ['not-bytes', false]);
       assert.match(error.message, /not given as bytes/);
     }

@@ -25,7 +25,7 @@ export function partThumbnail(loaded: Pick<Loaded, 'contours' | 'geometry' | 'pa
   if (!Array.isArray(parts)) throw new KerfwayError('wrong-type', 'This is no drawing that was read: give what load or inspect returns.', { field: 'loaded' });
   check(OPTIONS, options);
   const part = loaded.parts.find((p) => p.outer === id);
-  if (part === undefined) throw new KerfwayError('unknown-contour', `Contour ${shown(id)} is not the outer contour of a part.`, { contour: Number(id), count: loaded.contours.length });
+  if (part === undefined) throw new KerfwayError('unknown-contour', `Contour ${shown(id)} is not the outer contour of a part.`, { contour: typeof id === 'number' ? id : shown(id), count: loaded.contours.length });
   return thumbnailOf(loaded, part, options);
 }
 
