@@ -9,6 +9,7 @@
 //! 2. **Tangent circles.** Contours below the bound are sampled: at each place, the largest circle that touches the
 //!    line from within is reduced until it crosses no element.
 
+use super::budget::Budget;
 use super::findings;
 use super::model::{Contour, Operation};
 use crate::drawing::Drawing;
@@ -39,7 +40,7 @@ pub(super) fn find(drawing: &Drawing, contours: &[Contour], limit: Limit, findin
         .filter(|(c, p)| may_be_narrow(c, p, limit.width()))
         .collect();
     let elements: usize = narrow.iter().map(|(_, path)| path.segments.len()).sum();
-    let mut budget = elements.saturating_mul(COMPARISONS_PER_ELEMENT).max(MIN_COMPARISONS);
+    let mut budget = Budget::new(elements.saturating_mul(COMPARISONS_PER_ELEMENT).max(MIN_COMPARISONS));
     for (contour, path) in narrow {
         if let Some((width, at)) = width_below(path, limit.width(), &mut budget) {
             let message = limit.message(width);
@@ -53,7 +54,7 @@ pub(super) fn find(drawing: &Drawing, contours: &[Contour], limit: Limit, findin
                 Some(at),
             ));
         }
-        if budget == 0 {
+        if budget.is_spent() {
             let message =
                 "So many short lines lie in narrow contours that not all were measured against the beam.";
             findings.push(Finding::new(Code::NotAllChecked, Severity::Warning, message));
@@ -102,7 +103,7 @@ fn may_be_narrow(contour: &Contour, path: &Path, limit: f64) -> bool {
 }
 
 /// Width of a closed path and the middle of its widest place, where that is less than `limit`. Counts `budget` down.
-fn width_below(path: &Path, limit: f64, budget: &mut usize) -> Option<(f64, DVec2)> {
+fn width_below(path: &Path, limit: f64, budget: &mut Budget) -> Option<(f64, DVec2)> {
     let side = path.area().signum();
     let index = BoxIndex::new(path.segments.iter().map(|s| s.bounds()));
     let cap = 0.5 * limit;
@@ -115,7 +116,7 @@ fn width_below(path: &Path, limit: f64, budget: &mut usize) -> Option<(f64, DVec
             let f = (f64::from(k) + 0.5) / f64::from(SAMPLES);
             let (from, inward) = (segment.at(f), segment.tangent(f).perp() * side);
             let radius = tangent_circle(path, &index, (from, inward), cap, budget);
-            if radius >= cap - 0.5 * ROUNDING || *budget == 0 {
+            if radius >= cap - 0.5 * ROUNDING || budget.is_spent() {
                 return None;
             }
             if widest.is_none_or(|(width, _)| 2.0 * radius > width) {
@@ -136,7 +137,7 @@ fn tangent_circle(
     index: &BoxIndex,
     (from, inward): (DVec2, DVec2),
     cap: f64,
-    budget: &mut usize,
+    budget: &mut Budget,
 ) -> f64 {
     let mut radius = cap;
     for _ in 0..MAX_SHRINKS {
@@ -145,14 +146,14 @@ fn tangent_circle(
         let mut nearest = within * within;
         let mut touched = None;
         index.visit(Aabb::of(center).grown(radius), |k| {
-            *budget = budget.saturating_sub(1);
+            let goes_on = budget.take();
             if let Some(segment) = path.segments.get(k) {
                 let (f, d2) = segment.nearest(center);
                 if d2 < nearest {
                     (nearest, touched) = (d2, Some(segment.at(f)));
                 }
             }
-            *budget > 0
+            goes_on
         });
         // The circle through this point that touches the path at the same place.
         let Some(away) = touched.map(|p| p - from) else { break };
@@ -176,7 +177,7 @@ mod tests {
     }
 
     fn width(path: &Path, limit: f64) -> Option<f64> {
-        width_below(path, limit, &mut 1_000_000).map(|(width, _)| width)
+        width_below(path, limit, &mut Budget::new(1_000_000)).map(|(width, _)| width)
     }
 
     #[test]

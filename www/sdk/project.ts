@@ -57,7 +57,7 @@ export async function writeProject(project: Project): Promise<string> {
   if (bytes === null) throw notBytes();
   const document = JSON.parse(JSON.stringify(asJson({ schema: SCHEMA, name, reading, planning, plan }))) as Record<string, unknown>;
   checked(document, unwritable);
-  const packed = await through(new Uint8Array(bytes), new CompressionStream('gzip'), Infinity);
+  const packed = await through(bytes instanceof Uint8Array ? bytes : new Uint8Array(bytes), new CompressionStream('gzip'), Infinity);
   return `${JSON.stringify({ ...document, drawing: base64(packed) })}\n`;
 }
 

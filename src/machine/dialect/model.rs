@@ -151,6 +151,13 @@ pub struct Power {
     pub off: Vec<String>,
 }
 
+impl Power {
+    /// The number at full power on a machine with this `max_s`.
+    pub fn full_or(&self, max_s: f64) -> f64 {
+        self.full.unwrap_or(max_s)
+    }
+}
+
 /// By which commands the power is set. The reader follows the beam by the same choice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]

@@ -180,7 +180,7 @@ impl<'d> Writer<'d> {
                 fast.speed
             ));
         }
-        let full = self.dialect.power.full.unwrap_or(self.profile.max_s);
+        let full = self.dialect.power.full_or(self.profile.max_s);
         let least = 0.5 / power_of_ten(self.dialect.power.decimals);
         if processes.iter().any(|p| p.power * full < least) {
             return refuse(

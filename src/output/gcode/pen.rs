@@ -73,7 +73,7 @@ impl<'d> Pen<'d> {
             beam: Beam::new(dialect),
             lines: Lines::new(dialect),
             grid: power_of_ten(dialect.decimals.xy),
-            full: dialect.power.full.unwrap_or(machine.max_s),
+            full: dialect.power.full_or(machine.max_s),
             rapid_feed: None,
             z_feed: None,
             at: DVec2::ZERO,

@@ -122,7 +122,7 @@ pub(super) fn check(
         }
     }
     let others = Others::new(sheet);
-    // Number of joints, and of gaps that may be joints.
+    // Number of joints, and of those among them that may be gaps of overcuts instead.
     let (mut count, mut either) = (0_u32, 0_u32);
     for (id, (contour, mut work)) in (0..).zip(sheet.contours.iter().zip(work)) {
         let Some((step, _)) = work.first else { continue };
@@ -150,7 +150,6 @@ pub(super) fn check(
         };
         let uncut =
             contour.path.length() - work.cut - work.joints.iter().map(|j| length_of(&j.path)).sum::<f64>();
-        count = count.saturating_add(count_of(&work.joints));
         if let (Some((_, start)), Some(end)) = (work.first, work.last)
             && (uncut - gap).abs() <= LENGTH
         {
@@ -161,15 +160,14 @@ pub(super) fn check(
             // An overcut may leave a gap of the same length, also where no joint fits.
             let overcut = lead_rule(sheet, machine, id, contour).flatten().map_or(0.0, |rule| rule.overcut);
             let is_either = (overcut + gap).abs() <= LENGTH;
-            if !is_either {
-                count = count.saturating_add(1);
-                work.joints.push(joint);
-            } else if on.fault(&joint, rule.kind).is_none() && !(by_hand && all_made(sheet, id, &work.joints))
-            {
-                either = either.saturating_add(1);
+            let fits =
+                || on.fault(&joint, rule.kind).is_none() && !(by_hand && all_made(sheet, id, &work.joints));
+            if !is_either || fits() {
+                either = either.saturating_add(u32::from(is_either));
                 work.joints.push(joint);
             }
         }
+        count = count.saturating_add(u32::try_from(work.joints.len()).unwrap_or(u32::MAX));
         for joint in &work.joints {
             if let Some((what, at)) = on.fault(joint, rule.kind) {
                 found.push(Violation::Joint { step: joint.step, contour: id, what, at });
@@ -185,14 +183,11 @@ pub(super) fn check(
             found.push(Violation::Joint { step, contour: id, what, at });
         }
     }
-    if !(count..=count.saturating_add(either)).contains(&plan.summary.joints) {
-        let (says, found_count) = (f64::from(plan.summary.joints), f64::from(count));
+    let least = count.saturating_sub(either);
+    if !(least..=count).contains(&plan.summary.joints) {
+        let (says, found_count) = (f64::from(plan.summary.joints), f64::from(least));
         found.push(Violation::Sum { what: "the number of joints", says, found: found_count });
     }
-}
-
-fn count_of(joints: &[Made]) -> u32 {
-    u32::try_from(joints.len()).unwrap_or(u32::MAX)
 }
 
 /// Whether these are as many joints as a person placed on a contour.

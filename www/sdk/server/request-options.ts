@@ -44,7 +44,7 @@ export function requestOptions(kind: JobKind, query: URLSearchParams, form: Read
     for (const [name, text] of source) {
       if (OWN.includes(name)) continue;
       const again = known.has(name);
-      if (again && !holdsLists(fields.find((f) => f.name === name)?.kind)) throw new KerfwayError('wrong-type', `The option "${name}" is given twice.`, { field: name });
+      if (again && !holdsLists(fields.find((f) => f.name === name)?.kind)) throw givenTwice(name, name);
       known.add(name);
       set(options, fields, name.split('.'), text, { path: name, again });
     }
@@ -82,12 +82,14 @@ function set(options: Record<string, unknown>, fields: readonly Field[], [name =
   const kind = field?.kind;
   if (rest.length > 0 && typeof kind === 'object' && 'object' in kind) {
     const inner = (options[name] ??= {});
-    if (typeof inner !== 'object') throw new KerfwayError('wrong-type', `The option "${name}" is given twice.`, { field: given.path });
+    if (typeof inner !== 'object') throw givenTwice(name, given.path);
     set(inner as Record<string, unknown>, kind.object, rest, text, given);
   } else if (rest.length > 0 || kind === undefined) own(options, [name, ...rest].join('.'), text);
   else if (holdsLists(kind)) own(options, name, [...(given.again ? (options[name] as unknown[]) : []), valueOf(kind.list, text)]);
   else own(options, name, valueOf(kind, text));
 }
+
+const givenTwice = (name: string, field: string) => new KerfwayError('wrong-type', `The option "${name}" is given twice.`, { field });
 
 /** Whether an option is a list of lists: `together=3,4&together=7,8` are two lists. */
 function holdsLists(kind: Kind | undefined): kind is { list: Kind } {

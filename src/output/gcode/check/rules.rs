@@ -35,7 +35,7 @@ pub(super) fn beam(
 ) {
     let strict = expected.by_kerfway;
     let doubtful = if strict { Severity::Error } else { Severity::Warning };
-    let full = dialect.power.full.unwrap_or(profile.max_s);
+    let full = dialect.power.full_or(profile.max_s);
     // Half of the last decimal is rounding.
     let slack = 0.5 / power_of_ten(dialect.power.decimals);
     for &(line, power) in &program.powers {
@@ -45,8 +45,7 @@ pub(super) fn beam(
             });
         }
     }
-    let fastest =
-        profile.rapid.speed[0].max(profile.rapid.speed[1]).max(profile.cut.speed).max(profile.mark.speed);
+    let fastest = profile.top_speed();
     // Contours since the last wait. Where the beam goes off with the next motion only, contours that follow each other
     // without a rapid leave their waits to the rapid after them.
     let mut contours = 0_u32;
