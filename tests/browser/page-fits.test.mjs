@@ -10,7 +10,7 @@ const cut = () => {
   const ARROW = 20;
   const pen = document.createElement('canvas').getContext('2d');
   const found = [];
-  for (const field of document.querySelectorAll('#sections select:not(.wide), #sections input')) {
+  for (const field of document.querySelectorAll('#sections :not(.wide) > select, #sections input')) {
     if (!field.checkVisibility()) continue;
     const style = getComputedStyle(field);
     pen.font = `${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
@@ -21,6 +21,16 @@ const cut = () => {
   return found;
 };
 
+/** Runs in the page: the chosen name as it is written over its list, and in how many lines, if the list has room for all of them. */
+const namesLines = (wide) => {
+  const [list, name] = wide.children;
+  const text = document.createRange();
+  text.selectNodeContents(name);
+  const [frame, box] = [list.getBoundingClientRect(), text.getBoundingClientRect()];
+  const isInside = box.top >= frame.top && box.bottom <= frame.bottom && box.right < frame.right;
+  return [name.textContent, isInside && text.getClientRects().length];
+};
+
 for (const language of ['de', 'es']) {
   for (const [name, size] of Object.entries(SIZES)) {
     test(`no field cuts its words (${language}, ${name})`, async (t) => {
@@ -29,9 +39,10 @@ for (const language of ['de', 'es']) {
       await page.evaluate(() => document.body.classList.add('sheet-open'));
       await openEverything(page);
       assert.deepEqual(await page.evaluate(cut), []);
-      // The names of machines are longer than the panel is wide.
-      const machine = page.locator('.first-machine select');
-      assert.equal(await machine.getAttribute('title'), await machine.evaluate((list) => list.selectedOptions[0].text));
+      // The name of this machine is longer than the panel is wide.
+      assert.deepEqual(await page.locator('.first-machine .wide').evaluate(namesLines), ['Fibre laser, 3 kW, 1 mm stainless steel, nitrogen', 2]);
+      const [gist, shown] = await page.locator('.section .gist', { hasText: 'Fibre laser' }).evaluate((gist) => [gist.scrollHeight, gist.clientHeight]);
+      assert.equal(gist, shown, 'the heading names it in full');
     });
   }
 }

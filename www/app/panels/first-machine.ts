@@ -11,7 +11,7 @@ export function firstMachine(session: Session): HTMLElement {
     const chosen = session.catalog.machines.find((m) => m.name === name);
     if (chosen) session.setMachine(structuredClone(chosen));
   }, { wide: true });
-  choice.root.setAttribute('aria-label', words.machine.which);
+  choice.list.setAttribute('aria-label', words.machine.which);
   let isAnswered = rememberedMachine() !== null;
   const keep = button(words.machine.keep, { class: 'small', onclick: () => {
     const { machine } = session.state;
@@ -24,7 +24,7 @@ export function firstMachine(session: Session): HTMLElement {
     const { machine, phase } = session.state;
     // It has its place before the machines are known, so that the sections below stay where they are.
     root.hidden = isAnswered || (machine === null && phase === 'failed');
-    choice.root.disabled = keep.disabled = machine === null;
+    choice.list.disabled = keep.disabled = machine === null;
     if (machine) choice.fill(session.catalog.machines.map((m) => ({ value: m.name, label: m.title })), machine.name);
   };
   session.store.on('change', show);

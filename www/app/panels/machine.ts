@@ -97,7 +97,7 @@ export function machineControls(session: Session, notify: (sentence: string) => 
   }, { wide: true });
   const library = materials(session);
   const fitting = laterDetails(words.calibration.title, async () => (await import('./calibration.js')).calibration(session, notify), notify);
-  choice.root.setAttribute('aria-label', words.machine.preset);
+  choice.list.setAttribute('aria-label', words.machine.preset);
   const travel = select<MachineProfile['travel']>((value) => edit((m) => (m.travel = value)), { wide: true });
   const home = check(words.machine.home, (on) => edit((m) => (m.return_home = on)));
   const partialCuts = check(words.machine.partialCuts, (on) => edit((m) => {

@@ -104,7 +104,7 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
     const panel = root.parentElement!;
     const [shown, whole, end] = [panel, root, allow.root].map((e) => e.getBoundingClientRect()) as [DOMRect, DOMRect, DOMRect];
     panel.scrollTop += Math.max(whole.top - shown.top, end.bottom - shown.bottom);
-    (corner.hidden ? mode.root : corner).focus({ preventScroll: true });
+    (corner.hidden ? mode.list : corner).focus({ preventScroll: true });
   };
   return Object.assign(root, { setDragging: (on: boolean) => drag.setAttribute('aria-pressed', String(on)), reveal });
 }

@@ -26,7 +26,7 @@ export function planPanel(session: Session): HTMLElement {
     unfolded = true;
     void session.catalog.loadPapers().then(() => session.store.catalogChanged());
   }, { wide: true });
-  method.root.setAttribute('aria-label', words.plan.method);
+  method.list.setAttribute('aria-label', words.plan.method);
   const budget = select<number>((value) => session.setSearch({ seconds: value }));
   const about = h('p', { class: 'soft' });
   const source = h('p', { class: 'soft' });

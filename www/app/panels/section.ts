@@ -110,26 +110,32 @@ interface Option<T> {
   label: string;
 }
 
-/** A choice from a list. Further options can follow in groups, each with a heading. `wide`: the names are long, so the list is as wide as the panel, and its tooltip is the whole name. */
-export function select<T extends string | number>(onChange: (value: T) => void, { wide = false } = {}): { root: HTMLSelectElement; fill(options: Option<T>[], chosen: T, groups?: Record<string, Option<T>[]>): void } {
-  const root = h('select', { class: wide && 'wide' });
+/**
+ * A choice from a list. Further options can follow in groups, each with a heading. `wide`: the names are long, so the list is as wide as the panel, and
+ * the chosen name is written over it, because browsers cut it off where it needs a second line.
+ */
+export function select<T extends string | number>(onChange: (value: T) => void, { wide = false } = {}): { root: HTMLElement; list: HTMLSelectElement; fill(options: Option<T>[], chosen: T, groups?: Record<string, Option<T>[]>): void } {
+  const list = h('select');
+  const name = h('span', { 'aria-hidden': true });
+  const root = wide ? h('span', { class: 'wide' }, list, name) : list;
   let values: T[] = [];
   let shown = '';
-  root.addEventListener('change', () => {
-    const value = values[root.selectedIndex];
+  list.addEventListener('change', () => {
+    const value = values[list.selectedIndex];
     if (value !== undefined) onChange(value);
   });
   return {
     root,
+    list,
     fill(options, chosen, groups = {}) {
       values = [...options, ...Object.values(groups).flat()].map((o) => o.value);
       const now = JSON.stringify([options, groups]);
       const item = (o: Option<T>) => h('option', { value: o.value }, o.label);
       const headed = Object.entries(groups).filter(([, list]) => list.length > 0);
-      if (now !== shown) root.replaceChildren(...options.map(item), ...headed.map(([label, list]) => h('optgroup', { label }, ...list.map(item))));
+      if (now !== shown) list.replaceChildren(...options.map(item), ...headed.map(([label, group]) => h('optgroup', { label }, ...group.map(item))));
       shown = now;
-      root.selectedIndex = values.indexOf(chosen);
-      if (wide) root.title = root.selectedOptions[0]?.text ?? '';
+      list.selectedIndex = values.indexOf(chosen);
+      setText(name, list.selectedOptions[0]?.text ?? '');
     },
   };
 }

@@ -35,7 +35,7 @@ export function tipsPanel(set: (change: ((tips: Tips) => void) | null) => void):
     const { input, show } = numberInput({ ...q, placeholder: q.empty === undefined ? undefined : w.unknown }, (value) => set((tips) => change(tips, q.name, value)));
     return { q, show, row: field(w[q.name], input, q.unit) };
   });
-  const onlyMarked = barrier(moves.root);
+  const onlyMarked = barrier(moves.list);
   const more = h('div', { class: 'stack' }, field(w.riskyMoves, moves.root), onlyMarked.root, ...inputs.map((i) => i.row), h('p', { class: 'soft' }, w.about));
   return {
     root: h('div', { class: 'stack' }, on.root, more),
