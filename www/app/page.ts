@@ -138,7 +138,7 @@ export async function startPage(): Promise<void> {
   theme.on('change', showTheme);
   showTheme();
 
-  await files.begin(keeper.last(location.hash === ''), () => void forget(), first, sampleBytes, before?.load);
+  await files.begin(keeper.last(location.hash === ''), () => void forget(), first, sampleBytes, before?.decided);
 }
 
 /** Shows the whole bed and the job. */

@@ -5,6 +5,7 @@ import { acceptDrops, choose, save } from '../core/files.js';
 import { Latest } from '../core/latest.js';
 import { baseName, downloadName, messageOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
+import type { Decided } from '../session/kept-sample.js';
 import { Queue } from '../session/queue.js';
 import { fetchSample, type Sample } from '../session/samples.js';
 import type { Session } from '../session/session.js';
@@ -45,23 +46,23 @@ export class Files {
     void this.openSample(sample, fetchSample(sample));
   }
 
-  /** Begins with the job that this browser has kept, or with a sample; with nothing where somebody has chosen a file by then. `load`: how the sample was read before. */
-  async begin(kept: Promise<Project | null>, forget: () => void, sample: Sample, bytes: Promise<ArrayBuffer>, load?: LoadOptions): Promise<void> {
+  /** Begins with the job that this browser has kept, or with a sample; with nothing where somebody has chosen a file by then. `decided`: what was decided about the sample before. */
+  async begin(kept: Promise<Project | null>, forget: () => void, sample: Sample, bytes: Promise<ArrayBuffer>, decided?: Decided): Promise<void> {
     const isLatest = this.latest.watch();
     const project = await kept;
     // Without a planner nothing can be opened.
     if (!isLatest() || this.session.state.phase === 'failed') return;
     const isBack = project !== null && (await this.bringBack(project, forget, isLatest));
-    if (isLatest() && !isBack) await this.openSample(sample, bytes, load);
+    if (isLatest() && !isBack) await this.openSample(sample, bytes, decided);
   }
 
-  private async openSample(sample: Sample, bytes: Promise<ArrayBuffer>, load: LoadOptions = { ...sample.options, ...this.shared }): Promise<void> {
+  private async openSample(sample: Sample, bytes: Promise<ArrayBuffer>, decided: Decided = { load: { ...sample.options, ...this.shared }, own: null }): Promise<void> {
     this.queue.leave();
     const isLatest = this.latest.begin();
     try {
       const content = await bytes;
       // A file that was dropped meanwhile is what the person wants.
-      if (isLatest()) await this.session.openSample(sample, content, load, isLatest);
+      if (isLatest()) await this.session.openSample(sample, content, decided, isLatest);
     } catch (error) {
       if (isLatest()) this.session.drawing.refuse(sample.file, error);
     }

@@ -11,6 +11,7 @@ import { type Shared, written } from './address.js';
 import { Catalog } from './catalog.js';
 import { Drawing, type Source } from './drawing.js';
 import { type Choices, History } from './history.js';
+import type { Decided } from './kept-sample.js';
 import type { Placing } from './placing.js';
 import { keptPlan } from './kept-plan.js';
 import { Planning } from './planning.js';
@@ -24,6 +25,9 @@ import { words } from '../core/words/index.js';
 
 const DEFAULT_MACHINE = 'co2-100w';
 
+/** A machine and the setting of its library that a person has chosen. */
+export type OwnMachine = Pick<State, 'machine' | 'material'>;
+
 export class Session {
   readonly store = new Store();
   readonly catalog = new Catalog(this.store);
@@ -31,7 +35,7 @@ export class Session {
   readonly drawing = new Drawing(this.store, this.catalog, this.planning, () => this.record());
   private readonly history = new History();
   /** The machine of the open sample, and what was chosen before. */
-  private lent: { machine: MachineProfile; own: Pick<State, 'machine' | 'material'> } | null = null;
+  private lent: { machine: MachineProfile; own: OwnMachine } | null = null;
 
   /** `shared`: the settings of the address that the page was opened with. */
   constructor(private readonly shared: Shared) {
@@ -56,12 +60,16 @@ export class Session {
   }
 
   /** Opens a sample. Its machine, if it has one, is there until the next drawing is opened. `isWanted`: nothing else was chosen meanwhile. */
-  async openSample({ file, machine }: Sample, bytes: ArrayBuffer, load: LoadOptions, isWanted: () => boolean): Promise<string | null> {
-    if (machine) await this.catalog.ready;
+  async openSample({ file, machine }: Sample, bytes: ArrayBuffer, { load, own }: Decided, isWanted: () => boolean): Promise<string | null> {
+    if (machine || own) await this.catalog.ready;
     if (!isWanted()) return null;
     const preset = this.catalog.machines.find((m) => m.name === machine?.preset);
     const lent = machine && preset ? { ...structuredClone(preset), ...machine.changes } : null;
-    return this.drawing.open({ bytes, name: file }, { sample: true, load, opened: () => this.begin(lent) });
+    const opened = () => {
+      this.begin(lent);
+      if (own) this.store.choose(own);
+    };
+    return this.drawing.open({ bytes, name: file }, { sample: true, load, opened });
   }
 
   /** Begins with another drawing, on the machine of a sample or the person's own. */
@@ -73,9 +81,17 @@ export class Session {
   }
 
   /** The person's own machine. Once somebody has changed the machine of a sample, it is their own. */
-  private own(): Pick<State, 'machine' | 'material'> {
-    const { state, lent } = this;
-    return lent?.machine === state.machine ? lent.own : { machine: state.machine, material: state.material };
+  private own(): OwnMachine {
+    const { state: { machine, material }, lent } = this;
+    return lent?.machine === machine ? lent.own : { machine, material };
+  }
+
+  /** The machine that somebody has chosen for the open sample; null where the address and the sample say which one it has. */
+  chosenMachine(): OwnMachine | null {
+    const { state: { machine, material }, lent } = this;
+    if (machine === null || machine === lent?.machine) return null;
+    const isUsual = lent === null && material === null && JSON.stringify(machine) === JSON.stringify(this.catalog.machines.find((m) => m.name === machine.name));
+    return isUsual ? null : { machine, material };
   }
 
   /** Opens a project: its drawing, with everything that was decided about it, and its plan. `isWanted`: as above. Resolves as `open` does. */
