@@ -20,6 +20,16 @@ async function shifted(page) {
   return page.evaluate(() => window.shifts.splice(0).reduce((sum, shift) => sum + shift, 0));
 }
 
+/** Where the drawing is open from the start. */
+const TABLET = { width: 768, height: 1024 };
+
+test('nothing jumps on a first visit to a tablet', async (t) => {
+  const { page } = await openPage(t, { size: TABLET, hash: 'seconds=0.4&seed=1', prepare: watchShifts });
+  await phase(page, 'done');
+  const moved = await shifted(page);
+  assert.ok(moved < STEADY, String(moved));
+});
+
 for (const [name, size] of Object.entries(SIZES)) {
   test(`nothing jumps on a first visit, or when another drawing is opened (${name})`, async (t) => {
     const { page } = await openPage(t, { size, hash: 'seconds=0.4&seed=1', prepare: watchShifts });

@@ -30,7 +30,7 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
   const kept = h('p', { class: 'soft kept', hidden: true }, words.page.kept, ' ', button(words.page.forget, { class: 'quiet small', onclick: forget }));
   const tolerances = laterDetails(words.drawing.tolerances, async () => (await import('./tolerances.js')).tolerances(session, preview), (sentence) => session.store.notify(sentence));
   const content = h('div', { class: 'stack' }, counts, copies, layers, pins.root, findings.root, tolerances, kept);
-  const empty = h('p', { class: 'soft' }, words.drawing.none);
+  const empty = h('p', { class: 'soft unread' }, words.drawing.none);
   body.append(empty, content);
 
   // The parts of which there are several copies; a click selects them.

@@ -62,11 +62,14 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
   const corner = button(words.placement.corner, { class: 'small', onclick: () => toCorner(session) });
   const alert = h('div', { class: 'suggestion grave' }, h('div', { class: 'advice stack' }, refused, advice), corner);
   const none = h('p', { class: 'soft' }, words.placement.noBed);
-  body.append(h('div', { class: 'stack' }, none, field(words.placement.position, mode.root), where, h('div', { class: 'row' }, turnLeft, turnRight), h('div', { class: 'row' }, drag, show), field(words.placement.coordinates, start.root), fits, alert, allow.root));
+  const content = h('div', { class: 'stack' }, none, field(words.placement.position, mode.root), where, h('div', { class: 'row' }, turnLeft, turnRight), h('div', { class: 'row' }, drag, show), field(words.placement.coordinates, start.root), fits, alert, allow.root);
+  body.append(content);
 
   const refresh = () => {
-    const { loaded, machine, placing, load, planFindings } = session.state;
-    root.hidden = loaded === null || machine === null;
+    const { loaded, machine, placing, load, planFindings, phase } = session.state;
+    // It has its place before there is a drawing, so that the sections below stay where they are.
+    root.hidden = loaded === null && phase === 'failed';
+    content.hidden = loaded === null || machine === null;
     if (!loaded || !machine) return;
     const { place } = placing;
     none.hidden = Boolean(machine.bed);
