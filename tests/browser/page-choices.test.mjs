@@ -86,6 +86,19 @@ test('a contour is pinned, the start is chosen on the sheet, and the address hol
   assert.ok(!(await page.evaluate(() => location.href)).includes('sheet_500'), 'never the drawing');
 });
 
+test('the address holds all tolerances', async (t) => {
+  const shared = 'seconds=0.4&units=mm&join=0.2&copies=0.03&curves=0.004';
+  const { page } = await openPage(t, { hash: shared });
+  await phase(page, 'done');
+  await open(page, 'Drawing');
+  await open(page, 'Tolerances');
+  const fields = page.locator('.tolerance-field input[type=number]');
+  await fields.nth(2).waitFor();
+  assert.deepEqual(await fields.evaluateAll((all) => all.map((f) => f.value)), ['0.2', '0.03', '0.004']);
+  const written = await page.evaluate(() => Object.fromEntries(new URLSearchParams(location.hash.slice(1))));
+  assert.deepEqual(written, Object.fromEntries(new URLSearchParams(shared)));
+});
+
 test('machines with names in any script are saved beside each other', async (t) => {
   const { page } = await openPage(t);
   await phase(page, 'planning');

@@ -32,6 +32,8 @@ export function written({ machine, search, load, placing }: State, defaults: { m
   put('units', load.units);
   put('dpi', load.dpi);
   put('join', load.joinTolerance);
+  put('copies', load.copyTolerance);
+  put('curves', load.tolerance);
   put('by-layer', load.orderByLayer);
   put('part-by-part', load.partByPart);
   put('common-cuts', load.commonCuts, 'best');
@@ -68,9 +70,13 @@ function read(hash: string): Shared {
   const units = UNITS.find((u) => u === words.get('units'));
   const dpi = number('dpi', 100_000);
   const join = number('join', 5);
+  const copies = number('copies', 1);
+  const curves = number('curves', 1);
   if (units !== undefined) load.units = units;
   if (dpi !== null && dpi >= 1 && (units === undefined || units === 'px')) load.dpi = dpi;
   if (join !== null && join > 0) load.joinTolerance = join;
+  if (copies !== null && copies > 0) load.copyTolerance = copies;
+  if (curves !== null && curves > 0) load.tolerance = curves;
   if (words.get('by-layer') === '1') load.orderByLayer = true;
   if (words.get('part-by-part') === '1') load.partByPart = true;
   const common = COMMON_CUTS.find((c) => c === words.get('common-cuts'));
