@@ -7,10 +7,10 @@ import { picture } from './page-pictures.mjs';
 import { drop, openPage, phase, planned } from './page-support.mjs';
 
 /** A phone held sideways, and windows of 1440 × 900 and 1280 × 720 pixels in which the page is enlarged to twice its size. */
-const LOW = [[667, 375], [720, 450], [640, 360]];
+const LOW = [[667, 375], [720, 450], [640, 360], [844, 390]];
 
-/** Phones upright, tablets, and the narrowest window with the panel at the side. */
-const NARROW = [[320, 568], [375, 667], [720, 900], [768, 1024], [834, 1112]];
+/** Phones upright and held sideways, tablets, and the narrowest window with the panel at the side. */
+const NARROW = [[320, 568], [375, 667], [720, 900], [768, 1024], [834, 1112], [844, 390]];
 
 /** Runs in the page: which of the controls outside the panel are off the screen, or lie over another, for each group of them. */
 const misplaced = () => {
@@ -25,6 +25,8 @@ const misplaced = () => {
       for (const [other, b] of boxes) if (box.left < b.left && box.right > b.left + 1 && box.top < b.bottom - 1 && b.top < box.bottom - 1) found.push(`${name} lies over ${other}`);
     }
   }
+  const [stage, toolbar] = ['.stage', '.toolbar'].map((selector) => document.querySelector(selector).getBoundingClientRect());
+  if (toolbar.bottom > stage.bottom) found.push('the toolbar is higher than the stage');
   return found;
 };
 
@@ -47,6 +49,18 @@ for (const [width, height] of LOW) {
     assert.deepEqual(await answers.evaluateAll(pressable), [true, true, true, true]);
   });
 }
+
+test('the card of a contour leaves more than half of the sheet free in a low window', async (t) => {
+  const { page } = await openPage(t, { size: { width: 720, height: 450 }, hash: 'seconds=0.4' });
+  await phase(page, 'done');
+  await page.keyboard.press('ArrowRight');
+  const card = page.locator('.card.contour');
+  await card.waitFor();
+  const [stage, { height }] = [await page.locator('.stage').boundingBox(), await card.boundingBox()];
+  assert.ok(height < stage.height / 2, `${height} of ${stage.height}`);
+  await page.getByRole('button', { name: 'More choices' }).click();
+  await card.getByLabel('Lead').waitFor();
+});
 
 for (const [width, height] of NARROW) {
   // In German, whose words are long.

@@ -7,6 +7,8 @@ import { picture, still } from './page-pictures.mjs';
 import { drop, openPage, openPlanned, phase, planned, SIZES, tap } from './page-support.mjs';
 
 const TABLET = { width: 768, height: 1024 };
+const SMALL = { width: 360, height: 640 };
+const SIDEWAYS = { width: 844, height: 390 };
 
 const inLanguage = (language) => `localStorage.setItem('kerfway.language', '${language}')`;
 
@@ -46,8 +48,10 @@ for (const size of [SIZES.phone, TABLET]) {
     assert.deepEqual([wide, cells], [0, []]);
     assert.equal(await row.locator('> *').count(), 7);
   });
+}
 
-  test(`a question about the drawing leaves the drawing in sight (${size.width})`, async (t) => {
+for (const size of [SIZES.phone, SMALL, SIDEWAYS, TABLET, SIZES.desktop]) {
+  test(`a question about the drawing leaves the drawing in sight (${size.width} × ${size.height})`, async (t) => {
     const { page } = await openPage(t, { size, hash: 'seconds=0.4' });
     await phase(page, 'done');
     await drop(page, 'no-units.dxf', sample('no-units.dxf'));
@@ -55,7 +59,7 @@ for (const size of [SIZES.phone, TABLET]) {
     await still(page);
     await picture(page, `question-${size.width}`);
     const [ink, card] = [await page.evaluate(inked), await page.locator('.question').boundingBox()];
-    assert.ok(ink.bottom < card.y, `${ink.bottom} is above ${card.y}`);
+    assert.ok(ink.bottom < card.y || ink.right < card.x, `${JSON.stringify(ink)} is free of ${JSON.stringify(card)}`);
     assert.ok(ink.bottom - ink.top > 60, 'and is not tiny');
     // The answer gives the room back.
     await page.locator('.choices button').first().click();

@@ -5,8 +5,6 @@ import type { Viewport } from '../stage/viewport.js';
 
 /** Pixels around the fitted sheet. */
 const MARGIN = { top: 60, right: 24, bottom: 40, left: 40 };
-/** A card that is nearer to the edge of the stage, pixels, is at that edge. */
-const AT_EDGE = 12;
 /** When the table covers more than this share of the stage, the sheet is fitted as if the table were not there. */
 const MOST_COVERED = 0.7;
 
@@ -78,16 +76,19 @@ export class Layout {
     const isNarrow = wide > high;
     // On a narrow stage the card has the whole width, and the sheet the room above it.
     const [right, below] = isNarrow ? [0, high + card.offsetHeight] : [wide, 0];
-    // A question at the bottom of the stage lies over the toolbar; one in its middle leaves the sheet visible around it.
+    // A question lies over the bottom of the stage, and there over a toolbar; in a low window it lies over the panel, or over the right if that is closed.
     const asked = question.getBoundingClientRect();
-    const [top, bottom] = asked.height > 0 && asked.bottom > box.bottom - AT_EDGE ? [MARGIN.bottom, asked.height] : [MARGIN.top, below];
+    const covered = { right: box.right - asked.left, below: box.bottom - asked.top };
+    const isAsked = asked.height > 0 && asked.left < box.right;
+    const isBeside = covered.right * box.height < covered.below * box.width;
+    const [top, bottom] = isAsked && !isBeside ? [MARGIN.bottom, covered.below] : [MARGIN.top, below];
     // Both sheets of a comparison show the same part of the drawing.
     const division = divisionOf(box);
     stage.dataset.division = division;
     const isSplit = document.body.classList.contains('split');
     const [across, down] = !isSplit ? [1, 1] : division === 'across' ? [2, 1] : [1, 2];
     this.viewport.resize(box.width / across, box.height / down, {
-      top, right: MARGIN.right + right, bottom: MARGIN.bottom + bottom, left: MARGIN.left + side,
+      top, right: MARGIN.right + (isAsked && isBeside ? covered.right : right), bottom: MARGIN.bottom + bottom, left: MARGIN.left + side,
     });
   }
 }
