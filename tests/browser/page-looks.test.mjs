@@ -121,3 +121,19 @@ for (const [name, size] of Object.entries(SIZES)) {
     await keep('failed');
   });
 }
+
+test('on paper there is the sheet in its own shape and what the sections say, without controls, on one page', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4', theme: 'dark' });
+  await phase(page, 'done');
+  // A4 at 96 pixels per inch, without its margins.
+  await page.setViewportSize({ width: 718, height: 1047 });
+  await page.emulateMedia({ media: 'print' });
+  const shown = await page.evaluate(() => [...document.querySelectorAll('button, select, input, .playback')].filter((e) => e.checkVisibility()).map((e) => e.outerHTML.slice(0, 80)));
+  assert.deepEqual(shown, []);
+  assert.equal(await page.locator('.file-name').isVisible(), true);
+  assert.match(await page.locator('.sections').innerText(), /As drawn[\s\S]*Nearest first[\s\S]*Now/);
+  const [fit, scheme, high] = await page.evaluate(() => [getComputedStyle(document.querySelector('#canvas')).objectFit, getComputedStyle(document.documentElement).colorScheme, document.querySelector('.panel').getBoundingClientRect().bottom]);
+  assert.deepEqual([fit, scheme], ['contain', 'light']);
+  assert.ok(high <= 1047, String(high));
+  await shot(page, 'look-print');
+});

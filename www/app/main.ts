@@ -17,6 +17,7 @@ import './styles/stage.css';
 import './styles/cards.css';
 import './styles/before-after.css';
 import './styles/narrow.css';
+import './styles/print.css';
 import { keepForOffline } from './offline/register.js';
 import { startPage } from './page.js';
 import { messageOf } from './core/strings.js';
