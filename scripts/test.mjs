@@ -5,7 +5,7 @@ import { readdirSync } from 'node:fs';
 import { basename, join, relative } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { build, wasmFiles } from './build.mjs';
-import { setup } from './setup.mjs';
+import { findShell, setup } from './setup.mjs';
 import { quietly, sinceStart, together } from './together.mjs';
 import { BESIDE, COMPILING, main, ROOT, tee } from './tools.mjs';
 
@@ -47,11 +47,16 @@ const OPTIMISED_LATE = { KERFWAY_V8: LATE, NODE_OPTIONS: `${process.env.NODE_OPT
 /** Tests that look at what the page does by the clock: no other test runs beside them, and nothing differs from what users have. */
 const BY_THE_CLOCK = ['page-speed.test.mjs', 'page-visit.test.mjs'];
 
-const OF_THE_BUILD = [
-  node('package tests', 2, testFiles('package'), OPTIMISED_LATE),
-  node('browser tests', 2, testFiles('browser').filter((f) => !BY_THE_CLOCK.includes(basename(f))), OPTIMISED_LATE),
-  node('browser tests by the clock', 1, testFiles('browser').filter((f) => BY_THE_CLOCK.includes(basename(f)))),
-];
+/** The tests of what was built. The set-up may have brought in their browser. */
+function ofTheBuild() {
+  const shell = findShell();
+  const browser = { ...OPTIMISED_LATE, ...(shell === undefined ? {} : { CHROME_PATH: shell }) };
+  return [
+    node('package tests', 2, testFiles('package'), OPTIMISED_LATE),
+    node('browser tests', 2, testFiles('browser').filter((f) => !BY_THE_CLOCK.includes(basename(f))), browser),
+    node('browser tests by the clock', 1, testFiles('browser').filter((f) => BY_THE_CLOCK.includes(basename(f)))),
+  ];
+}
 
 const TYPES = [
   step('wasm files, quick', () => wasmFiles({ quick: true })),
@@ -79,7 +84,7 @@ main(async () => {
       { name: 'lints in wasm', usually: '1 to 2 minutes', work: () => all(LINTS_IN_WASM) },
     ]);
     await all([TESTS, TESTS_IN_WASM, step('build', build)]);
-    if (results.at(-1).failed === 0) await all(OF_THE_BUILD);
+    if (results.at(-1).failed === 0) await all(ofTheBuild());
     else results.push({ name: 'package and browser tests, not run without a build', passed: 0, failed: 1, skipped: 0, seconds: 0 });
   }
   console.log('');
