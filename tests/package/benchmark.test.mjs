@@ -130,7 +130,7 @@ it('is given a bound for slots that stand closer to each other than they are lon
   const [{ instance }] = instances({ only: 'slots-2500-ccp' });
   const contours = instance.contours.slice(1).filter(({ start: [x, y] }) => x < 385 && y < 155).map((c) => ({ ...c, inside: null }));
   assert.ok(contours.length > 220, 'more than have a bound by walks');
-  const { trace, bound } = await solved({ ...instance, contours }, { moves: 100_000, prove: { work: 1000 } });
+  const { trace, bound } = await solved({ ...instance, contours }, { moves: 100_000, prove: { work: 300 } });
   const value = trace.values.at(-1)[1];
   assert.ok(bound > 0.4 * value && bound <= value, `${bound} of ${value}`);
 });

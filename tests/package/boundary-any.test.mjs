@@ -91,8 +91,8 @@ describe('any options at all', () => {
         if (name === 'quote' && draw(2) === 0) options.material = object(draw, material.fields);
         if (name === 'quote' && draw(4) === 0) options.limits = object(draw, limits.fields);
       }
-      // Most cases use the pool, because a new worker for each call takes ten times as long.
-      const on = k % 50 === 0 ? { inspect, plan, quote } : pool;
+      // Most cases use the pool, because a new worker for each call takes so long that one in fifty would take as long as all the rest.
+      const on = k % 250 === 0 ? { inspect, plan, quote } : pool;
       const deadline = wait(DEADLINE, 'late', { ref: false });
       const call = k % 4 === 3 ? overHttp(name, options) : on[name](PLATE, options).then(() => 'taken', (error) => error);
       const result = await Promise.race([deadline, call]);
