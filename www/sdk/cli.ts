@@ -1,23 +1,26 @@
 #!/usr/bin/env node
 /** The command line. `cli/commands.ts` lists its commands and options. `EXIT` in `cli/io.ts` lists the exit codes. */
 
-import { check } from './cli/check.js';
 import { COMMANDS, commandsInWords, type Command } from './cli/commands.js';
-import { completion } from './cli/completion.js';
 import { manual, overview, version } from './cli/help.js';
-import { inspect } from './cli/inspect.js';
 import { EXIT, failureDocument, print, readerLeft, Unusable, WrongUse } from './cli/io.js';
-import { methods } from './cli/methods.js';
-import { plan } from './cli/plan.js';
-import { quote } from './cli/quote.js';
-import { calibrate } from './cli/calibrate.js';
 import { complain } from './cli/safe-text.js';
 import { KerfwayError } from './errors.js';
-import { serve, work } from './cli/serve.js';
-import { solve } from './cli/solve.js';
-import { verify } from './cli/verify.js';
 
-const RUNS = new Map(Object.entries({ plan, inspect, quote, check, calibrate, serve, work, methods, solve, verify, completion }));
+/** Loads what runs a command: it needs little of what the others do, and help needs nothing of it. */
+const RUNS: Record<string, () => Promise<(words: string[]) => Promise<void>>> = {
+  plan: async () => (await import('./cli/plan.js')).plan,
+  inspect: async () => (await import('./cli/inspect.js')).inspect,
+  quote: async () => (await import('./cli/quote.js')).quote,
+  check: async () => (await import('./cli/check.js')).check,
+  calibrate: async () => (await import('./cli/calibrate.js')).calibrate,
+  serve: async () => (await import('./cli/serve.js')).serve,
+  work: async () => (await import('./cli/serve.js')).work,
+  methods: async () => (await import('./cli/methods.js')).methods,
+  solve: async () => (await import('./cli/solve.js')).solve,
+  verify: async () => (await import('./cli/verify.js')).verify,
+  completion: async () => (await import('./cli/completion.js')).completion,
+};
 
 async function main([command, ...rest]: string[]): Promise<void> {
   if (command === undefined) throw new WrongUse(`Name a command: kerfway ${commandsInWords()}.`);
@@ -29,7 +32,7 @@ async function main([command, ...rest]: string[]): Promise<void> {
   } else {
     const about = known(command);
     if (rest.includes('--help') || rest.includes('-h')) await print(manual(command, about));
-    else await RUNS.get(command)?.(rest);
+    else await (await RUNS[command]?.())?.(rest);
   }
 }
 
