@@ -18,17 +18,18 @@ export const bytes = (name) => new Uint8Array(readFileSync(fixture(name)));
 /** A real keyboard case: 25 kB, circles, arcs and polylines. */
 export const KEYBOARD = 'dxf-dev/peej_lumberjack-keyboard__lumberjack-polaris.dxf';
 
-/** Runs the command line; resolves to its exit code and both outputs. */
+/** Runs the command line. */
 export function kerfway(...args) {
-  return run(args);
+  return ran([CLI, ...args]);
 }
 
 /** The same with bytes on standard input. */
-export const piped = (input, ...args) => run(args, input);
+export const piped = (input, ...args) => ran([CLI, ...args], input);
 
-function run(args, input = null) {
+/** Runs a program of Node; resolves to its exit code and both outputs. */
+export function ran(words, input = null) {
   return new Promise((resolve) => {
-    const child = spawn(process.execPath, [CLI, ...args], { stdio: [input === null ? 'ignore' : 'pipe', 'pipe', 'pipe'] });
+    const child = spawn(process.execPath, words, { stdio: [input === null ? 'ignore' : 'pipe', 'pipe', 'pipe'] });
     if (input !== null) child.stdin.end(input);
     const out = { code: null, stdout: '', stderr: '' };
     child.stdout.on('data', (d) => (out.stdout += d));
