@@ -9,7 +9,7 @@ import { describe, it } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
 import { Queue, QueueEvents } from 'bullmq';
 import { quote } from 'kerfway';
-import { bytes, circle, dxf, folder, KEYBOARD, ROOT, square } from './support.mjs';
+import { bytes, circle, dxf, folder, KEYBOARD, ROOT, shared, square } from './support.mjs';
 
 const REDIS = ['valkey-server', 'redis-server'].some((name) => spawnSync(name, ['--version']).status === 0);
 const skip = REDIS || process.env.REDIS_URL ? false : 'there is neither valkey-server nor redis-server here: apt-get install redis-server';
@@ -136,9 +136,13 @@ describe('the queue', { skip, timeout: 240_000 }, () => {
     assert.deepEqual(await answer(url, deadly), { status: 422, body: { problem: 'Two workers died of this drawing. It may need more memory than there is.' } });
     assert.equal((await answer(url, await send(url, dxf(square(0, 0, 30)), 'next.dxf'))).status, 200);
   });
+});
 
-  it('returns the sentence of the package, and refuses unknown requests', async (t) => {
-    const { end, url } = await started(t);
+describe('the queue, alive', { skip, timeout: 240_000 }, () => {
+  const usual = shared(started);
+
+  it('returns the sentence of the package, and refuses unknown requests', async () => {
+    const { url } = usual;
     const asked = await fetch(`${url}?name=keyboard.dxf&machine=diode-hobby&thickness=3&density=0.7`, { method: 'POST', body: bytes(KEYBOARD) });
     const { status, body } = await answer(url, (await asked.json()).id);
     assert.equal(status, 200);
@@ -146,11 +150,10 @@ describe('the queue', { skip, timeout: 240_000 }, () => {
     assert.deepEqual(body, JSON.parse(JSON.stringify(await quote(bytes(KEYBOARD), options))));
     assert.equal((await fetch(`${url}/nothing`)).status, 404);
     assert.equal((await fetch(url, { method: 'POST', body: new Uint8Array(21 * 2 ** 20) })).status, 413);
-    assert.deepEqual(await end(), [0, null]);
   });
 
-  it('refuses a form, which is not a drawing', async (t) => {
-    const { url } = await started(t);
+  it('refuses a form, which is not a drawing', async () => {
+    const { url } = usual;
     const form = new FormData();
     form.set('drawing', new Blob([dxf(square(0, 0, 30))]), 'plate.dxf');
     const envelope = await new Response(form).arrayBuffer();
@@ -161,8 +164,8 @@ describe('the queue', { skip, timeout: 240_000 }, () => {
     }
   });
 
-  it('names the wrong field of the query', async (t) => {
-    const { url } = await started(t);
+  it('names the wrong field of the query', async () => {
+    const { url } = usual;
     for (const [query, message] of [['thickness=3mm', /field thickness/], ['machine=jelly', /field machine/], ['thicknes=3', /no field "thicknes"/]]) {
       const refused = await fetch(`${url}?${query}`, { method: 'POST', body: dxf(square(0, 0, 30)) });
       assert.equal(refused.status, 400, query);
@@ -170,11 +173,13 @@ describe('the queue', { skip, timeout: 240_000 }, () => {
     }
   });
 
-  it('answers 500 to an internal error, without details', async (t) => {
-    const { queue, url } = await started(t);
+  it('answers 500 to an internal error, without details', async () => {
+    const { queue, url } = usual;
     // A job without its drawing: the file was lost, which is no fault of the sender.
     await queue.add('quote', {}, { jobId: 'lost', attempts: 1 });
     const { status, body } = await answer(url, 'lost');
     assert.deepEqual([status, body.problem], [500, 'The quote could not be made because of a fault of the server. Try again later.']);
   });
+
+  it('ends when it is told to', async () => assert.deepEqual(await usual.end(), [0, null]));
 });

@@ -16,7 +16,7 @@ import { DEFAULTS } from '../../dist/sdk/server/settings.js';
 import { safeName } from '../../dist/sdk/server/body.js';
 import { hostile } from './hostile.mjs';
 import { form, serve } from './serving.mjs';
-import { bytes, circle, CLI, dxf, folder, kerfway, KEYBOARD, square } from './support.mjs';
+import { bytes, circle, CLI, dxf, folder, kerfway, KEYBOARD, shared, square } from './support.mjs';
 
 const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
 const SHORT = 'moves=1000&seed=1';
@@ -29,8 +29,11 @@ async function refused(response, status, code) {
 }
 
 describe('the service', () => {
-  it('takes a drawing alone or in a form, under any content type, and comes to the hash of the package', async (t) => {
-    const { send } = await serve(t);
+  /** One with the usual settings. */
+  const usual = shared(serve);
+
+  it('takes a drawing alone or in a form, under any content type, and comes to the hash of the package', async () => {
+    const { send } = usual;
     const { hash, confidence } = await quote(bytes(KEYBOARD), { moves: 1000, seed: 1, material: { thickness: 3, density: 7.85 } });
     const query = `/quote?name=keyboard.dxf&${SHORT}&material.thickness=3&material.density=7.85`;
     for (const type of ['image/vnd.dxf', 'application/octet-stream', 'application/x-www-form-urlencoded', 'text/plain']) {
@@ -45,8 +48,8 @@ describe('the service', () => {
     assert.equal(asJson.hash, hash);
   });
 
-  it('plans, and describes drawings with pictures of their parts', async (t) => {
-    const { send } = await serve(t);
+  it('plans, and describes drawings with pictures of their parts', async () => {
+    const { send } = usual;
     const planned = await (await send(`/plan?${SHORT}&outputs=gcode,png`, PLATE)).json();
     assert.equal(planned.schema, 'kerfway.planned/1');
     assert.match(planned.outputs.gcode, /^G21 /m);
@@ -56,8 +59,8 @@ describe('the service', () => {
     assert.match(seen.thumbnails[0], /^<svg [^>]*width="64"/);
   });
 
-  it('took a list of lists in the query for lists of one, which ask for nothing', async (t) => {
-    const { send } = await serve(t);
+  it('took a list of lists in the query for lists of one, which ask for nothing', async () => {
+    const { send } = usual;
     const taken = async (query) => (await (await send(`/plan?${SHORT}&${query}`, bytes(KEYBOARD))).json()).options.together;
     assert.deepEqual(await taken('together=1,2'), [[1, 2]]);
     assert.deepEqual(await taken('together=1,2&together=3,4'), [[1, 2], [3, 4]]);
@@ -72,8 +75,8 @@ describe('the service', () => {
     assert.equal(await metric('kerfway_requests_total'), 1);
   });
 
-  it('writes no program in a unit that is in doubt', async (t) => {
-    const { send } = await serve(t);
+  it('writes no program in a unit that is in doubt', async () => {
+    const { send } = usual;
     // 10 x 10, and nothing but the header says millimetres: as likely inches.
     const small = dxf(square(0, 0, 10), circle(5, 5, 1));
     const error = await refused(await send(`/plan?${SHORT}&outputs=gcode`, small), 422, 'unwritable');
@@ -116,8 +119,8 @@ describe('the service', () => {
     await refused(wrong, 405, 'method-not-allowed');
   });
 
-  it('refuses forms without a file, with several, with too many parts, and broken ones', async (t) => {
-    const { send } = await serve(t);
+  it('refuses forms without a file, with several, with too many parts, and broken ones', async () => {
+    const { send } = usual;
     const two = form(PLATE, 'a.dxf');
     two.append('second', new Blob([PLATE]), 'b.dxf');
     const many = form(PLATE, 'a.dxf', Object.fromEntries(Array.from({ length: 40 }, (_, k) => [`f${k}`, 'x'])));
@@ -138,8 +141,8 @@ describe('the service', () => {
     assert.equal(child.exitCode, null);
   });
 
-  it('counted the parts of a form by another boundary than its parser took', async (t) => {
-    const { send } = await serve(t);
+  it('counted the parts of a form by another boundary than its parser took', async () => {
+    const { send } = usual;
     const real = '-'.repeat(28) + 'abcdef';
     const part = (head, content) => `--${real}\r\ncontent-disposition: form-data; ${head}\r\n\r\n${content}\r\n`;
     const drawing = part('name="f"; filename="a.dxf"', new TextDecoder().decode(PLATE));
@@ -156,8 +159,8 @@ describe('the service', () => {
     }
   });
 
-  it('drew a picture of each of a hundred thousand parts, and answered nobody else meanwhile', async (t) => {
-    const { send } = await serve(t);
+  it('drew a picture of each of a hundred thousand parts, and answered nobody else meanwhile', async () => {
+    const { send } = usual;
     const many = dxf(...Array.from({ length: 1200 }, (_, k) => circle(6 * (k % 40), 6 * Math.floor(k / 40), 2)));
     const { parts, thumbnails } = await (await send('/inspect?thumbnails=8', many)).json();
     assert.equal(parts.length, 1200);
@@ -187,8 +190,8 @@ describe('the service', () => {
     assert.equal((await (await fetch(`${service.url}/healthz`)).json()).running, 0);
   });
 
-  it('took addresses like // for a fault of its own', async (t) => {
-    const { url, log } = await serve(t);
+  it('took addresses like // for a fault of its own', async () => {
+    const { url, log } = usual;
     const { hostname, port } = new URL(url);
     const status = (address) => new Promise((resolve) => {
       const socket = connect(Number(port), hostname);
@@ -276,8 +279,8 @@ describe('the service', () => {
     assert.deepEqual(said.wrong, []);
   });
 
-  it('describes itself in valid OpenAPI', async (t) => {
-    const { url } = await serve(t);
+  it('describes itself in valid OpenAPI', async () => {
+    const { url } = usual;
     const described = await (await fetch(`${url}/openapi.json`)).json();
     const { valid, errors } = await new Validator().validate(structuredClone(described));
     assert.equal(valid, true, JSON.stringify(errors));

@@ -4,6 +4,7 @@ import { execFileSync, spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
+import { after, before } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
 export const ROOT = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
@@ -43,6 +44,17 @@ export function folder(t) {
   const path = mkdtempSync(join(tmpdir(), 'kerfway-'));
   t.after(() => rmSync(path, { recursive: true, force: true }));
   return path;
+}
+
+/** What the tests of a suite share: it is made before the first, by a function that takes a test, and what that leaves to be done is done after the last. */
+export function shared(make) {
+  const made = {};
+  const ends = [];
+  before(async () => Object.assign(made, await make({ after: (end) => ends.unshift(end) })));
+  after(async () => {
+    for (const end of ends) await end();
+  });
+  return made;
 }
 
 /** A DXF file in millimetres of some entities, each given as its group codes and values. */
