@@ -6,7 +6,7 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { changedFrom } from './page-pictures.mjs';
+import { canvasShot, changedFrom } from './page-pictures.mjs';
 import { download, openPage, phase, planned, searchFor, SIZES, tap } from './page-support.mjs';
 
 /** Nine plates with two holes each, an open line, and a note on a layer of its own. The middle of the sheet is inside the plate in the middle. */
@@ -141,7 +141,7 @@ const TASKS = [
   ['maker', 'see where a warning is', async ({ person, page }) => {
     const list = page.locator('details.more.grave').first();
     if (!(await list.evaluate((e) => e.open))) await person.use(list.locator('> summary'));
-    const before = await page.locator('#canvas').screenshot();
+    const before = await canvasShot(page);
     await person.use(page.locator('button.finding').first());
     await changedFrom(page, before);
   }],
