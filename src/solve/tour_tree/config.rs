@@ -9,6 +9,7 @@
 pub(super) struct SearchConfig {
     pub(super) cycle: CycleConfig,
     pub(super) kick: KickConfig,
+    pub(super) long_legs: LongLegsConfig,
     pub(super) ruin: RuinConfig,
     pub(super) recombination: RecombinationConfig,
     pub(super) small: SmallInstanceConfig,
@@ -48,6 +49,21 @@ pub(super) struct KickConfig {
     pub(super) longest: usize,
     /// One kick in this many also draws an entry: without it, entries that pay only together are never found.
     pub(super) draw_entry: usize,
+}
+
+/// Kicks that cut long legs, see `long_legs.rs`.
+#[derive(Clone, Copy)]
+pub(super) struct LongLegsConfig {
+    /// How many mean legs a long leg has at least: in tours whose legs are alike hardly any has.
+    pub(super) least: f64,
+    /// Percentage of kicks that cut long legs, for each percent of the tour that is long legs.
+    pub(super) kicks_per_share: f64,
+    /// Largest percentage of such kicks: the others improve what lies between long legs.
+    pub(super) most_percent: usize,
+    /// Most items in a stretch: it may hold several groups, and longer ones take longer to move.
+    pub(super) longest: usize,
+    /// Legs that are drawn around a cut: with fewer it often misses the long ones.
+    pub(super) tries: usize,
 }
 
 /// Kicks that ruin and recreate, see `ruin_recreate.rs`.
@@ -191,6 +207,13 @@ impl SearchConfig {
             reheat_free: 2.5,
         },
         kick: KickConfig { longest: 300, draw_entry: 4 },
+        long_legs: LongLegsConfig {
+            least: 3.0,
+            kicks_per_share: 2.0,
+            most_percent: 50,
+            longest: 1_000,
+            tries: 30,
+        },
         ruin: RuinConfig { most_items: 40, blink: 100 },
         recombination: RecombinationConfig { elites: 8, longest: 1000, least_gain: 1e-7 },
         small: SmallInstanceConfig {

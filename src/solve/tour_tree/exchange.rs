@@ -10,18 +10,36 @@ use super::queue::Queue;
 use super::tour::Tour;
 use crate::solve::rng::{Draw, Rng};
 
-/// Exchanges two neighbouring stretches and returns the extra cost in seconds; `None` if precedence forbids the exchange.
-pub(super) fn exchange(tour: &mut Tour, queue: &mut Queue, rng: &mut Rng) -> Option<f64> {
+/// Two neighbouring stretches of a tour, by the positions of the first item and of the last one of each.
+#[derive(Clone, Copy)]
+pub(super) struct Stretches {
+    pub(super) from: usize,
+    pub(super) middle: usize,
+    pub(super) to: usize,
+}
+
+/// Draws two stretches of at most so many items anywhere in the tour.
+pub(super) fn draw_stretches(tour: &Tour, rng: &mut Rng, longest: usize) -> Option<Stretches> {
     let last = tour.last();
     // Of two neighbouring stretches one has at most half of the items; but a large group only moves as a whole.
     let most = if tour.space.problem.groups.is_empty() { last / 2 } else { last };
-    let longest = CONFIG.kick.longest.min(most).max(1);
+    let longest = longest.min(most).max(1);
     let (one, two) = (rng.log_uniform(longest), rng.log_uniform(longest));
     if one + two > last {
         return None;
     }
     let from = 1 + rng.below(last + 1 - one - two);
-    let (middle, to) = (from + one - 1, from + one + two - 1);
+    Some(Stretches { from, middle: from + one - 1, to: from + one + two - 1 })
+}
+
+/// Exchanges two stretches and returns the extra cost in seconds; `None` if precedence forbids the exchange.
+pub(super) fn exchange(
+    tour: &mut Tour,
+    queue: &mut Queue,
+    rng: &mut Rng,
+    stretches: Stretches,
+) -> Option<f64> {
+    let Stretches { from, middle, to } = stretches;
     if !tour.may_exchange(from, middle, to) {
         return None;
     }

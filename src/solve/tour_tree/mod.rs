@@ -32,6 +32,7 @@ mod improve;
 mod improve_entry;
 mod index;
 mod leave_places;
+mod long_legs;
 mod neighbours;
 mod polish;
 mod queue;

@@ -1,8 +1,9 @@
 //! One kick: a random change, then local search around it, then the decision whether the result stays.
 
 use super::super::config::CONFIG;
-use super::super::exchange::exchange;
+use super::super::exchange::{draw_stretches, exchange};
 use super::super::improve::improve;
+use super::super::long_legs::{draw_between_long_legs, heat};
 use super::super::ruin_recreate::ruin_recreate;
 use super::Annealing;
 use crate::solve::epsilon::EPSILON;
@@ -14,15 +15,22 @@ impl Annealing<'_> {
         // Drawing a kick counts as a move, also when precedence forbids the kick.
         self.tour.priced += 1;
         self.kicks += 1;
-        let temperature = {
+        let mut temperature = {
             let left = 1.0 - self.kicks as f64 / self.kicks_wanted as f64;
             self.temperature * left * left
         };
+        let mean_leg = self.mean_leg.unwrap_or(0.0);
+        let cuts_long_legs = self.long_legs_percent > 0 && self.rng.below(100) < self.long_legs_percent;
         let Self { tour, near, queue, rng, .. } = self;
         let change = if self.ruin_percent > 0 && rng.below(100) < self.ruin_percent {
             ruin_recreate(tour, near, queue, rng)
+        } else if cuts_long_legs {
+            draw_between_long_legs(tour, rng).and_then(|stretches| {
+                temperature *= heat(tour, stretches, mean_leg);
+                exchange(tour, queue, rng, stretches)
+            })
         } else {
-            exchange(tour, queue, rng)
+            draw_stretches(tour, rng, CONFIG.kick.longest).and_then(|s| exchange(tour, queue, rng, s))
         };
         let Some(mut change) = change else {
             while queue.pop().is_some() {}
@@ -32,7 +40,7 @@ impl Annealing<'_> {
         while let Some(item) = self.queue.pop() {
             change -= improve(&mut self.tour, &self.near, &mut self.queue, item);
         }
-        let most = self.part_best.cost + CONFIG.small.reassign_margin * self.mean_leg.unwrap_or(0.0);
+        let most = self.part_best.cost + CONFIG.small.reassign_margin * mean_leg;
         if self.is_small && change.abs() > EPSILON && self.cost + change < most {
             change -= self.settle_again(self.cost + change);
         }

@@ -12,6 +12,7 @@ mod kick;
 
 use super::entries::Layers;
 use super::improve::improve;
+use super::long_legs::percentage_of_kicks;
 use super::neighbours::{MOVES_PER_ITEM, Neighbours};
 use super::queue::Queue;
 use super::recombine::Elites;
@@ -64,6 +65,8 @@ pub(super) struct Annealing<'p> {
     /// Mean leg of the first locally optimal tour, s.
     mean_leg: Option<f64>,
     temperature: f64,
+    /// Percentage of the kicks that cut long legs.
+    long_legs_percent: usize,
     /// Percentage of the kicks of this part that ruin and recreate.
     ruin_percent: usize,
     /// The problem is small: see `small_instances.rs`.
@@ -95,6 +98,7 @@ impl<'p> Annealing<'p> {
             kicks_wanted: 0,
             mean_leg: None,
             temperature: 0.0,
+            long_legs_percent: 0,
             ruin_percent: 0,
             is_small,
         }
@@ -233,7 +237,11 @@ impl<'p> Annealing<'p> {
             return;
         }
         let first = self.mean_leg.is_none();
-        self.mean_leg = Some(self.tour.mean_leg(self.cost));
+        let mean_leg = self.tour.mean_leg(self.cost);
+        self.mean_leg = Some(mean_leg);
+        if !self.is_small {
+            self.long_legs_percent = percentage_of_kicks(&self.tour, mean_leg);
+        }
         match Rows::new(&self.tour.space, self.tour.current()).filter(|_| first) {
             Some(rows) => self.stage = Stage::TryingRows(rows, None),
             None => self.begin_cycle(),

@@ -225,6 +225,11 @@ impl<'p> Tour<'p> {
         self.legs[self.position(item)]
     }
 
+    /// Seconds from the item at a position to the next.
+    pub(super) fn leg_from(&self, position: usize) -> f64 {
+        self.legs[position]
+    }
+
     /// Seconds to an item from the previous one.
     #[inline]
     pub(super) fn leg_before(&self, item: u32) -> f64 {
