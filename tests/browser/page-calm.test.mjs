@@ -132,10 +132,12 @@ test('from opening a file to its program by keyboard alone', async (t) => {
   await chooser.setFiles({ name: 'keys.dxf', mimeType: 'image/vnd.dxf', buffer: grid(30) });
   await planned(page, 'keys.dxf', 'done');
   await page.keyboard.press('Home');
+  const before = await page.evaluate(() => window.plansBegun);
   await page.keyboard.press('l');
   await page.keyboard.press('0');
   await page.waitForFunction(() => /^Cut last: /.test(document.querySelector('.pins')?.textContent ?? ''));
-  await phase(page, 'done');
+  // The choice is shown before it is planned.
+  await page.waitForFunction((before) => window.plansBegun > before && document.body.dataset.phase === 'done', before);
   const [file] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('g')]);
   assert.match(file.suggestedFilename(), /^keys-co2-100w-.*\.nc$/);
 });
