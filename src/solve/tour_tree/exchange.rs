@@ -18,7 +18,7 @@ pub(super) struct Stretches {
     pub(super) to: usize,
 }
 
-/// Draws two stretches of at most so many items anywhere in the tour.
+/// Draws two neighbouring stretches anywhere in the tour, each of at most `longest` items. `None` if they do not fit in.
 pub(super) fn draw_stretches(tour: &Tour, rng: &mut Rng, longest: usize) -> Option<Stretches> {
     let last = tour.last();
     // Of two neighbouring stretches one has at most half of the items; but a large group only moves as a whole.

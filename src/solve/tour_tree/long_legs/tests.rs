@@ -10,7 +10,7 @@ use crate::machine;
 use crate::problem::{Item, Node, Problem};
 use crate::solve::rng::seeded;
 
-/// A row of groups of 40 points, 1 mm apart, with so many mm from group to group.
+/// A row of groups of 40 points. The points of a group are 1 mm apart, the groups `apart` mm.
 fn row(groups: u32, apart: f64) -> Problem {
     let place = |item: u32| DVec2::new(f64::from(item) + f64::from(item / 40) * (apart - 1.0), 0.0);
     let node =
