@@ -67,7 +67,7 @@ test('a layer has settings, a material is saved and chosen, and a stopwatch fits
 
   await page.getByText('Material library').click();
   await page.getByLabel('Name of the material').fill('3 mm birch ply');
-  await page.getByRole('button', { name: 'Save setting' }).click();
+  await replanned(page, () => page.getByRole('button', { name: 'Save setting' }).click());
   await replanned(page, () => page.locator('label.field', { hasText: 'As the machine is set' }).locator('select').selectOption('3 mm birch ply'));
   assert.equal((await plan(page)).material, '3 mm birch ply');
 

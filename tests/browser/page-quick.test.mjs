@@ -14,8 +14,11 @@ const openDrawing = (page) => page.evaluate(() => {
   for (const details of [section, ...section.querySelectorAll('details')]) details.open = true;
 });
 
-/** Chooses what is done with the first layer, and in the same moment presses a key, drops a file or chooses what is done with the second. */
-const chooseAnd = (page, index, also) => page.evaluate(([index, { key, file, second }]) => {
+/**
+ * Chooses what is done with the first layer, and in the same moment presses a key or buttons, drops a file or chooses what is done with the second. Returns
+ * the buttons that were pressed, with what the page said then.
+ */
+const chooseAnd = (page, index, also) => page.evaluate(([index, { key, file, second, press = [] }]) => {
   const operations = [...document.querySelectorAll('.layers select.operation')];
   const choose = (list, index) => {
     list.selectedIndex = index;
@@ -24,10 +27,16 @@ const chooseAnd = (page, index, also) => page.evaluate(([index, { key, file, sec
   choose(operations[0], index);
   if (second !== undefined) choose(operations[1], second);
   if (key !== undefined) document.body.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
-  if (file === undefined) return;
-  const data = new DataTransfer();
-  data.items.add(new File(['%PDF-1.7'], file));
-  document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+  if (file !== undefined) {
+    const data = new DataTransfer();
+    data.items.add(new File(['%PDF-1.7'], file));
+    document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+  }
+  return press.map((selector) => {
+    const button = document.querySelector(selector);
+    button.click();
+    return { head: document.querySelector('.dock-head').textContent, text: button.textContent, disabled: button.disabled, title: button.title };
+  });
 }, [index, also]);
 
 test('the operations of two layers, chosen at once, are both taken over', async (t) => {
@@ -60,6 +69,19 @@ test('a choice that is being read when an unusable file is dropped is taken over
   const { options, contours } = await plan(page);
   const [ignored] = options.layers.filter(({ operation }) => operation === 'ignore');
   assert.equal(contours.length, { HOLES: 2000, CUT: 4000 }[ignored.name]);
+});
+
+test('while a choice is being read, the page says so and writes nothing that is of the drawing before', async (t) => {
+  const page = await openPlanned(t, 'co2-100w', 'row.dxf', ROW);
+  await openDrawing(page);
+  let pressed;
+  await replanned(page, async () => (pressed = await chooseAnd(page, 2, { press: ['.downloads button:nth-of-type(3)', '.dock .primary:not([hidden])'] })));
+  const [download, program] = pressed;
+  assert.deepEqual(download, { head: 'Applying the change…', text: 'DXF', disabled: false, title: 'Download DXF' });
+  assert.deepEqual(program, { head: 'Applying the change…', text: 'G-code', disabled: true, title: 'Applying the change…' });
+  assert.equal(await page.locator('.notice').textContent(), 'The change is still being applied. Try again in a moment.');
+  assert.deepEqual(await page.locator('.dock .primary:not([hidden])').evaluate((b) => [b.textContent, b.disabled]), ['G-code', false]);
+  assert.equal((await plan(page)).contours.length, 3);
 });
 
 test('undo after two choices at once brings back the plan of the first, not that of the drawing before', async (t) => {

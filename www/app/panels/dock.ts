@@ -49,12 +49,14 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
     more.hidden = phase !== 'done' || state.reason === 'exhausted' || isOptimal(state);
     place.hidden = phase !== 'done' || !isRefusedOffBed(state);
     gcode.hidden = phase !== 'done' || !place.hidden;
-    disable(gcode, failsCheck(state) ? words.dock.fails : '');
+    const applying = state.applying ? words.dock.applying : '';
+    for (const control of [stop, pause, resume, more]) disable(control, applying);
+    disable(gcode, applying || (failsCheck(state) ? words.dock.fails : ''));
     setText(gcodeLabel, words.result.kinds[state.machine?.takes ?? 'gcode']);
     // A choice with which nothing can be planned is what to go back from; the drawing is not at fault.
     undo.hidden = phase !== 'ready' || state.error === null || !session.canUndo;
     open.hidden = phase !== 'failed' && (phase !== 'ready' || !undo.hidden);
-    const busy = phase === 'starting' || phase === 'reading';
+    const busy = phase === 'starting' || phase === 'reading' || state.applying;
     bar.hidden = !running && !busy;
     bar.classList.toggle('busy', busy);
     root.dataset.phase = phase;
@@ -69,6 +71,7 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
   };
   session.store.on('change', show);
   session.store.on('progress', show);
+  session.store.on('applying', () => show(session.state));
   show(session.state);
   return root;
 }
@@ -77,6 +80,7 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
 export function headline(state: State): string {
   const { phase, progress } = state;
   const best = progress ? seconds(progress.summary.total_time) : null;
+  if (state.applying && phase !== 'reading') return words.dock.applying;
   switch (phase) {
     case 'starting': return words.dock.starting;
     case 'reading': return words.dock.reading(state.opening ?? state.name);

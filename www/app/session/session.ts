@@ -162,7 +162,10 @@ export class Session {
 
   /** One of the outputs of the best plan. */
   async output(kind: OutputKind, width?: number): Promise<string | Uint8Array> {
-    return (await this.catalog.ready).output(kind, width);
+    const planner = await this.catalog.ready;
+    // The plan of before is not that of the choice.
+    if (this.state.applying) throw new Error(words.page.stillApplying);
+    return planner.output(kind, width);
   }
 
   /** What the check says of the program of the best plan. */

@@ -71,6 +71,8 @@ export interface State extends PlanState {
   readonly error: string | null;
   /** The file that is being read, while the drawing before it stays. */
   readonly opening: string | null;
+  /** Whether a choice about the drawing is being read. Until then, the drawing and the plan of before are shown. */
+  readonly applying: boolean;
   /** A file that could not be used, and why, until the person has seen it. */
   readonly refused: { readonly file: string; readonly sentence: string } | null;
 }
@@ -85,7 +87,7 @@ export function noPlan(): PlanState {
 export function initialState(): State {
   return {
     phase: 'starting', name: '', sample: true, load: {}, loaded: null, extent: [0, 0, 1, 1], question: null, machine: null,
-    search: { method: '', parameters: {}, seed: null, seconds: 10 }, placing: AS_DRAWN, material: null, budget: 10, error: null, opening: null, refused: null, ...noPlan(),
+    search: { method: '', parameters: {}, seed: null, seconds: 10 }, placing: AS_DRAWN, material: null, budget: 10, error: null, opening: null, applying: false, refused: null, ...noPlan(),
   };
 }
 

@@ -21,6 +21,8 @@ interface Events extends Record<string, unknown> {
   loaded: { loaded: Loaded; fresh: boolean; same: boolean };
   /** Something was decided about the contours that are shown, and the drawing is about to be read again with it. */
   decided: void;
+  /** The drawing is about to be read again with a choice. */
+  applying: void;
   /** There is no drawing, or none that can be used. */
   cleared: void;
   /** The search has reported its progress. */
@@ -83,13 +85,14 @@ export class Store extends Emitter<Events> {
    * changes. `same`: the contours and their numbers stay the same.
    */
   readAgain(load: LoadOptions, same: boolean): void {
-    this.set({ load });
+    this.set({ load, applying: true });
+    this.emit('applying', undefined);
     if (same) this.emit('decided', undefined);
   }
 
   /** The drawing could not be read with other options. */
   readAsBefore(load: LoadOptions): void {
-    this.update({ load });
+    this.update({ load, applying: false });
     this.emit('decided', undefined);
   }
 
@@ -100,7 +103,7 @@ export class Store extends Emitter<Events> {
   }
 
   drawingRead(loaded: Loaded, as: { fresh: boolean; same: boolean }): void {
-    this.set({ loaded, extent: extentOf(loaded), error: null, ...noPlan() });
+    this.set({ loaded, extent: extentOf(loaded), applying: false, error: null, ...noPlan() });
     this.emit('loaded', { loaded, ...as });
   }
 

@@ -145,6 +145,7 @@ export const de: Words = {
 
   page: {
     somethingElse: 'Diese Zeichnung konnte nicht verarbeitet werden. Laden Sie die Seite neu und legen Sie sie noch einmal ab.',
+    stillApplying: 'Die Änderung wird noch übernommen. Versuchen Sie es gleich noch einmal.',
     unreadable: (file) => `${file} konnte nicht gelesen werden. Wählen Sie die Datei noch einmal.`,
     noSample: (title) => `Das Beispiel „${title}“ konnte nicht geladen werden. Laden Sie die Seite neu, oder legen Sie ein eigenes DXF oder SVG ab.`,
     chooseHome: 'Klicken Sie auf der Tafel dorthin, wo der Kopf beginnen soll. Esc bricht ab.',
@@ -177,7 +178,7 @@ export const de: Words = {
 
   dock: {
     progress: 'Fortschritt', stop: 'Stopp', pause: 'Pause', resume: 'Fortsetzen', more: 'Weiter verbessern', undo: 'Rückgängig', choose: 'DXF oder SVG wählen', sheet: 'Zeichnung, Maschine, Plan, Ergebnis',
-    starting: 'Der Planer startet…', reading: (file) => `${file} wird gelesen…`, question: 'Vor dem Planen wird eine Antwort gebraucht.',
+    starting: 'Der Planer startet…', reading: (file) => `${file} wird gelesen…`, question: 'Vor dem Planen wird eine Antwort gebraucht.', applying: 'Die Änderung wird übernommen…',
     offBed: 'Nicht auf dem Arbeitsbereich, daher kein Programm', place: 'Auftrag platzieren',
     fails: 'Das Programm besteht seine Prüfung nicht, daher wird es nicht ausgegeben',
     nothing: 'Nichts zu schneiden: stellen Sie einen Layer auf Schneiden oder Markieren.', failed: 'Diese Datei kann nicht verwendet werden.', optimal: 'Optimal: es gibt keinen besseren Weg.',

@@ -142,6 +142,7 @@ export const en = {
 
   page: {
     somethingElse: 'This drawing could not be processed. Reload the page and drop it again.',
+    stillApplying: 'The change is still being applied. Try again in a moment.',
     unreadable: (file: string) => `${file} could not be read from disk. Choose it again.`,
     noSample: (title: string) => `The sample "${title}" could not be loaded. Reload the page, or drop a DXF or SVG of your own.`,
     chooseHome: 'Click on the sheet where the head should start. Esc cancels.',
@@ -174,7 +175,7 @@ export const en = {
 
   dock: {
     progress: 'Progress', stop: 'Stop', pause: 'Pause', resume: 'Resume', more: 'Keep improving', undo: 'Undo', choose: 'Choose a DXF or SVG', sheet: 'Drawing, machine, plan, result',
-    starting: 'Starting the planner…', reading: (file: string) => `Reading ${file}…`, question: 'An answer is needed first.',
+    starting: 'Starting the planner…', reading: (file: string) => `Reading ${file}…`, question: 'An answer is needed first.', applying: 'Applying the change…',
     offBed: 'Not on the bed, so no program', place: 'Place the job', fails: 'The program fails its check, so no G-code',
     nothing: 'Nothing to cut: set a layer to cut or mark.', failed: 'This file cannot be used.', optimal: 'Optimal: no better path exists.',
     planning: (best: string | null) => (best === null ? 'Planning' : `Planning, best so far ${best}`),

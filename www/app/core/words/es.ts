@@ -145,6 +145,7 @@ export const es: Words = {
 
   page: {
     somethingElse: 'Este dibujo no se pudo procesar. Recargue la página y suéltelo de nuevo.',
+    stillApplying: 'El cambio todavía se está aplicando. Vuelva a intentarlo enseguida.',
     unreadable: (file) => `No se pudo leer ${file} del disco. Elíjalo de nuevo.`,
     noSample: (title) => `No se pudo cargar el ejemplo «${title}». Recargue la página, o suelte un DXF o SVG propio.`,
     chooseHome: 'Haga clic en la chapa donde deba empezar el cabezal. Esc cancela.',
@@ -177,7 +178,7 @@ export const es: Words = {
 
   dock: {
     progress: 'Progreso', stop: 'Parar', pause: 'Pausa', resume: 'Reanudar', more: 'Seguir mejorando', undo: 'Deshacer', choose: 'Elegir un DXF o SVG', sheet: 'Dibujo, máquina, plan, resultado',
-    starting: 'Iniciando el planificador…', reading: (file) => `Leyendo ${file}…`, question: 'Hace falta una respuesta antes de planificar.',
+    starting: 'Iniciando el planificador…', reading: (file) => `Leyendo ${file}…`, question: 'Hace falta una respuesta antes de planificar.', applying: 'Aplicando el cambio…',
     offBed: 'Fuera de la mesa, así que no hay programa', place: 'Colocar el trabajo',
     fails: 'El programa no pasa su comprobación, así que no se entrega',
     nothing: 'Nada que cortar: ponga una capa en cortar o marcar.', failed: 'Este archivo no se puede usar.', optimal: 'Óptimo: no existe un recorrido mejor.',

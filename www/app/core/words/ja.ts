@@ -142,6 +142,7 @@ export const ja: Words = {
 
   page: {
     somethingElse: 'この図面を処理できませんでした。ページを再読み込みして、もう一度ドロップしてください。',
+    stillApplying: '変更をまだ適用しています。少し待ってからもう一度お試しください。',
     unreadable: (file) => `${file} をディスクから読み取れませんでした。もう一度選んでください。`,
     noSample: (title) => `サンプル「${title}」を読み込めませんでした。ページを再読み込みするか、自分の DXF または SVG をドロップしてください。`,
     chooseHome: '板の上でヘッドの開始位置をクリックしてください。Esc で取り消します。',
@@ -174,7 +175,7 @@ export const ja: Words = {
 
   dock: {
     progress: '進行', stop: '停止', pause: '一時停止', resume: '再開', more: '改善を続ける', undo: '元に戻す', choose: 'DXF または SVG を選ぶ', sheet: '図面、機械、計画、結果',
-    starting: 'プランナーを起動しています…', reading: (file) => `${file} を読み込んでいます…`, question: '計画の前に回答が必要です。',
+    starting: 'プランナーを起動しています…', reading: (file) => `${file} を読み込んでいます…`, question: '計画の前に回答が必要です。', applying: '変更を適用しています…',
     offBed: 'ベッドの上にないため、プログラムはありません', place: 'ベッドに置く',
     fails: 'プログラムが検査に合格しないため渡しません',
     nothing: '切断するものがありません。レイヤーを切断またはマークにしてください。', failed: 'このファイルは使えません。', optimal: '最適：これより良い経路はありません。',

@@ -142,6 +142,7 @@ export const zh: Words = {
 
   page: {
     somethingElse: '无法处理这张图。请重新加载页面后再次拖放。',
+    stillApplying: '更改仍在应用中，请稍后再试。',
     unreadable: (file) => `无法从磁盘读取 ${file}。请重新选择。`,
     noSample: (title) => `无法加载示例“${title}”。请重新加载页面，或拖放您自己的 DXF 或 SVG。`,
     chooseHome: '在板上点击切割头应开始的位置。按 Esc 取消。',
@@ -174,7 +175,7 @@ export const zh: Words = {
 
   dock: {
     progress: '进度', stop: '停止', pause: '暂停', resume: '继续', more: '继续改进', undo: '撤销', choose: '选择 DXF 或 SVG', sheet: '图、机器、方案、结果',
-    starting: '正在启动规划器…', reading: (file) => `正在读取 ${file}…`, question: '规划前需要一个回答。',
+    starting: '正在启动规划器…', reading: (file) => `正在读取 ${file}…`, question: '规划前需要一个回答。', applying: '正在应用更改…',
     offBed: '不在工作台上，因此没有程序', place: '放到工作台上',
     fails: '程序未通过检查，因此不予输出',
     nothing: '没有可切割的内容：请将一个图层设为切割或打标。', failed: '无法使用这个文件。', optimal: '最优：不存在更好的路径。',
