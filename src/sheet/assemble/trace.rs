@@ -181,6 +181,8 @@ impl ContourBuilder {
     fn report_gaps(&self, source: Source, findings: &mut Findings) {
         let closed: Vec<_> = self.gaps.iter().filter(|(gap, _)| *gap > ROUNDING).collect();
         let Some((gap, at)) = closed.iter().max_by(|a, b| a.0.total_cmp(&b.0)) else { return };
+        // A gap that was closed is not shown as nothing.
+        let gap = gap.max(0.0001);
         let message = if closed.len() == 1 {
             format!("A gap of {gap:.4} mm in this contour was closed.")
         } else {

@@ -17,7 +17,7 @@ impl Orders {
         }
         self.back -= 1;
         if let Some(level) = self.back.checked_sub(1).map(|l| &self.levels[l]) {
-            self.queue = level.at.iter().map(|(&key, &at)| (key, at)).collect();
+            self.queue = level.sets();
             return (1 + self.queue.len() as u64, None);
         }
         self.levels.clear();
@@ -44,10 +44,11 @@ impl Orders {
         } else {
             let after = &self.levels[self.back];
             for next in ground.first..ground.items.len() {
-                let Some(&at) = after.at.get(&(visited | 1 << (next - ground.first), next)) else { continue };
-                if visited & 1 << (next - ground.first) != 0 {
+                let bit = 1 << (next - ground.first);
+                if visited & bit != 0 {
                     continue;
                 }
+                let Some(&at) = after.at.get(&(visited | bit, next)) else { continue };
                 let knots = ground.items[next].knots;
                 for (left, rest) in rest.iter_mut().enumerate() {
                     for (knot, r) in after.rest[at..at + knots].iter().enumerate() {
@@ -75,7 +76,7 @@ impl Orders {
     /// The best path for each last item.
     fn end(&mut self, ground: &Ground) {
         let Some(last) = self.levels.last() else { return };
-        for (&(visited, item), &at) in &last.at {
+        for ((visited, item), at) in last.sets() {
             let closed = |knot: usize| last.values[at + knot] + last.rest[at + knot];
             let knots = 0..ground.items[item].knots;
             let best = knots.map(|k| (closed(k), k)).min_by(|a, b| a.0.total_cmp(&b.0));

@@ -14,7 +14,7 @@ mod back;
 use super::charges::Charges;
 use super::space::{Space, remembered};
 use super::walks::{Ground, Pass, Visit, relax, relax_all};
-use std::collections::BTreeMap;
+use rustc_hash::FxHashMap;
 
 /// Most items: their sets are the bits of a number.
 const MOST_ITEMS: usize = 128;
@@ -81,11 +81,20 @@ pub(super) struct Orders {
 #[derive(Debug, Default)]
 struct Level {
     /// Where the values of each set start.
-    at: BTreeMap<Key, usize>,
+    at: FxHashMap<Key, usize>,
     /// For each knot of the last item of a set the least seconds up to there, with charges.
     values: Vec<f64>,
     /// And from there to the end, as far as it is known.
     rest: Vec<f64>,
+}
+
+impl Level {
+    /// Each set and where its values start, always in the same order.
+    fn sets(&self) -> Vec<(Key, usize)> {
+        let mut sets: Vec<_> = self.at.iter().map(|(&key, &at)| (key, at)).collect();
+        sets.sort_unstable();
+        sets
+    }
 }
 
 impl Orders {
@@ -158,7 +167,7 @@ impl Orders {
         let all = self.levels.len() == ground.count();
         self.back = if all { self.levels.len() } else { 0 };
         let next = if all { self.levels.last() } else { Some(&self.now) };
-        self.queue = next.iter().flat_map(|l| &l.at).map(|(&key, &at)| (key, at)).collect();
+        self.queue = next.map(Level::sets).unwrap_or_default();
         (1 + self.queue.len() as u64, None)
     }
 
