@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { grid, sample } from './page-drawings.mjs';
 import { serious, shot, still } from './page-pictures.mjs';
-import { drop, dropAll, openPage, phase, planned, replanned, searchFor, SIZES } from './page-support.mjs';
+import { drop, dropAll, nextFrames, openPage, phase, planned, replanned, searchFor, SIZES } from './page-support.mjs';
 
 for (const [name, size] of Object.entries(SIZES)) {
   test(`every ability, ${name}`, async (t) => {
@@ -137,3 +137,28 @@ test('on paper there is the sheet in its own shape and what the sections say, wi
   assert.ok(high <= 1047, String(high));
   await shot(page, 'look-print');
 });
+
+/** Runs in the page: the share of the pixels of a picture, a PNG in base64, that are light. */
+const lightShare = async (png) => {
+  const image = await createImageBitmap(new Blob([Uint8Array.from(atob(png), (c) => c.charCodeAt(0))], { type: 'image/png' }));
+  const pen = new OffscreenCanvas(image.width, image.height).getContext('2d');
+  pen.drawImage(image, 0, 0);
+  const { data } = pen.getImageData(0, 0, image.width, image.height);
+  let light = 0;
+  for (let i = 0; i < data.length; i += 4) if (Math.min(data[i], data[i + 1], data[i + 2]) > 200) light += 1;
+  return light / (data.length / 4);
+};
+
+for (const theme of ['dark', 'light']) {
+  test(`the ${theme} theme prints a light sheet and a light chart`, async (t) => {
+    const { page } = await openPage(t, { hash: 'seconds=0.4', theme });
+    await phase(page, 'done');
+    await still(page);
+    await page.emulateMedia({ media: 'print' });
+    await nextFrames(page, 4);
+    for (const painted of ['#canvas', '.chart canvas']) {
+      const share = await page.evaluate(lightShare, (await page.locator(painted).screenshot()).toString('base64'));
+      assert.ok(share > 0.8, `${painted}: ${share}`);
+    }
+  });
+}

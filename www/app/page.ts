@@ -131,6 +131,7 @@ export async function startPage(): Promise<void> {
   element('stage').append(tools.root, orders.root, tools.legend, selection.card.root, question, notices.failure, selection.table.root, notices.notice, pointer.tooltip.root);
 
   const showTheme = () => {
+    document.documentElement.dataset.painted = theme.current;
     scene.setTheme(theme.current);
     orders.setTheme(theme.current);
     tools.colors(ramp(theme.current));
