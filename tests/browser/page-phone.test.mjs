@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { grid, sample } from './page-drawings.mjs';
 import { picture, still } from './page-pictures.mjs';
-import { drop, openPage, openPlanned, phase, planned, SIZES, tap } from './page-support.mjs';
+import { drop, openPage, openPlanned, phase, SIZES, tap, until } from './page-support.mjs';
 
 const TABLET = { width: 768, height: 1024 };
 const SMALL = { width: 360, height: 640 };
@@ -166,3 +166,35 @@ test('where two sheets have no room, they are not offered', async (t) => {
   const [first, second] = [await page.locator('#canvas').boundingBox(), await page.locator('canvas.second').boundingBox()];
   assert.deepEqual([first.width, first.y + first.height], [second.width, second.y]);
 });
+
+test('the card of a contour leaves the sheet of a small phone in sight, and its four choices are in one row (de)', async (t) => {
+  const { page } = await openPage(t, { size: SMALL, touch: true, hash: 'seconds=0.4', prepare: inLanguage('de') });
+  await phase(page, 'done');
+  await page.keyboard.press('Home');
+  await still(page);
+  await picture(page, 'card-small-de');
+  const [ink, card] = [await page.evaluate(inked), await page.locator('.card.contour').boundingBox()];
+  assert.ok(ink.bottom < card.y && ink.bottom - ink.top > 70, `${JSON.stringify(ink)} is free of ${JSON.stringify(card)}`);
+  const tops = await page.locator('.contour-rules > button').evaluateAll((all) => all.map((b) => b.getBoundingClientRect().top));
+  assert.deepEqual([tops.length, new Set(tops).size], [4, 1]);
+});
+
+// The words that were too long: German for a search that was still improving, Spanish for its figures.
+for (const [language, bound] of [['de', /höchstens/], ['es', /como mucho/]]) {
+  test(`the foot of a small phone stays as high as it is when the figures of the proof arrive, and its words fit its buttons (${language})`, async (t) => {
+    const { page } = await openPage(t, { size: SMALL, touch: true, hash: 'seconds=60&seed=1', prepare: inLanguage(language) });
+    await phase(page, 'planning');
+    const foot = page.locator('#dock');
+    const measure = async () => ({ high: (await foot.boundingBox()).height, cut: await foot.locator('button:visible').evaluateAll((all) => all.filter((b) => b.scrollWidth > b.clientWidth).map((b) => b.textContent)) });
+    const { high } = await measure();
+    await until(page, 'the bound is shown', async () => bound.test(await foot.textContent()));
+    await picture(page, `foot-${language}`);
+    assert.deepEqual(await measure(), { high, cut: [] }, 'while planning');
+    await page.keyboard.press('p');
+    await phase(page, 'paused');
+    assert.deepEqual(await measure(), { high, cut: [] }, 'paused');
+    await page.keyboard.press('s');
+    await phase(page, 'done');
+    assert.deepEqual(await measure(), { high, cut: [] }, 'stopped');
+  });
+}

@@ -265,7 +265,7 @@ it('one thing is said as one', async () => {
   assert.deepEqual(said(1), [
     ['1 move', '1 other kind of part', '1 contour instead of 9'],
     ['1 Zug', '1 weitere Art von Teilen', '1 Kontur statt 9'],
-    ['1 movimiento', '1 tipo de piezas más', '1 contorno en vez de 9'],
+    ['1 paso', '1 tipo de piezas más', '1 contorno en vez de 9'],
   ]);
   assert.deepEqual(said(3), [
     ['3 moves', '3 other kinds of parts', '3 contours instead of 9'],

@@ -97,9 +97,9 @@ function detailOf(state: State): string {
   const { phase, progress } = state;
   if (!progress || (phase !== 'planning' && phase !== 'paused' && phase !== 'done')) return '';
   const left = seconds(progress.summary.total_time - progress.summary.lower_bound);
-  const bound = progress.summary.gap === null || isOptimal(state) || left === seconds(0) ? null : words.dock.gap(left);
   const refused = isRefusedOffBed(state) ? words.dock.offBed : failsCheck(state) ? words.dock.fails : null;
   // Why there is no G-code comes first, and leaves no room for more than the gain.
+  const bound = refused !== null || progress.summary.gap === null || isOptimal(state) || left === seconds(0) ? null : words.dock.gap(left);
   const pace = refused !== null || progress.moves === 0 ? null : phase === 'planning' ? words.dock.pace(short(Math.round(progress.rate))) : words.dock.moves(progress.moves, short(progress.moves));
   const gain = (state.baselines?.greedy.total_time ?? 0) - progress.summary.total_time;
   return unbroken([refused, gain > 0 ? words.dock.saved(seconds(gain)) : null, pace, bound].filter((part) => part !== null).join(', '));

@@ -191,7 +191,7 @@ export const de: Words = {
       replaced: 'Angehalten: der Planer musste neu starten. Der beste Weg bleibt erhalten.',
       stopped: 'Angehalten. Der beste Weg bleibt erhalten.',
     },
-    improving: 'Die Zeit ist um, aber der Weg wurde noch besser.', quiet: (time) => `Fertig. Nichts Besseres seit ${time}.`, second: '1 s',
+    improving: 'Zeit abgelaufen. Mehr ist möglich.', quiet: (time) => `Fertig. Nichts Besseres seit ${time}.`, second: '1 s',
   },
 
   drawing: {

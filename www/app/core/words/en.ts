@@ -187,7 +187,7 @@ export const en = {
       replaced: 'Stopped: the planner had to be restarted. The best path is kept.',
       stopped: 'Stopped. The best path is kept.',
     } satisfies Partial<Record<DoneReason, string>>,
-    improving: 'Time is up. More may be gained.', quiet: (time: string) => `Done. Nothing better for ${time}.`, second: 'a second',
+    improving: 'Time is up. More may be gained.', quiet: (time: string) => `Done. Nothing better in the last ${time}.`, second: 'second',
   },
 
   drawing: {

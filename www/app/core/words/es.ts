@@ -75,7 +75,7 @@ export const es: Words = {
     readIn: (size, unit, source) => `${size}, leído en ${unit} (${{ header: 'lo dice el archivo', guessed: 'supuesto', given: 'elegido' }[source]})`, different: (n, kinds) => `${n}, ${kinds} distintas`,
     along: (time, way) => `${time} para ${way}`, pierced: (time, n) => `${time} para ${n} perforaciones`, asDrawn: (nearest, drawn) => `${nearest}; como está dibujado ${drawn}`,
     atMost: (time) => `como mucho ${time}`, more: (rows) => `Y ${rows} más.`, times: (n) => `${n} veces`, at: (x, y) => `en ${x}; ${y}`,
-    source: (version, seed, moves, drawing, quote) => `Kerfway ${version}, semilla ${seed}, ${moves} movimientos. Dibujo ${drawing}, presupuesto ${quote}.`,
+    source: (version, seed, moves, drawing, quote) => `Kerfway ${version}, semilla ${seed}, ${moves} pasos. Dibujo ${drawing}, presupuesto ${quote}.`,
   },
 
   errors: {
@@ -182,16 +182,16 @@ export const es: Words = {
     offBed: 'Fuera de la mesa, así que no hay programa', place: 'Colocar el trabajo',
     fails: 'El programa no pasa su comprobación, así que no se entrega',
     nothing: 'Nada que cortar: ponga una capa en cortar o marcar.', failed: 'Este archivo no se puede usar.', optimal: 'Óptimo: no existe un recorrido mejor.',
-    planning: (best) => (best === null ? 'Planificando' : `Planificando, lo mejor hasta ahora ${best}`),
-    paused: (best) => (best === null ? 'En pausa' : `En pausa, lo mejor hasta ahora ${best}`),
-    saved: (time) => `${time} ahorrados`, pace: (moves) => `${moves} movimientos/s`, moves: (n, w) => counted(n, w, 'movimiento'),
-    gap: (time) => `como mucho quedan ${time} por ganar`,
+    planning: (best) => (best === null ? 'Planificando' : `Planificando, mejor hasta ahora ${best}`),
+    paused: (best) => (best === null ? 'En pausa' : `En pausa, mejor hasta ahora ${best}`),
+    saved: (time) => `${time} ahorrados`, pace: (moves) => `${moves} pasos/s`, moves: (n, w) => counted(n, w, 'paso'),
+    gap: (time) => `como mucho ${time} por ganar`,
     done: {
       exhausted: 'Listo. Este método no encuentra nada mejor.',
       replaced: 'Parado: hubo que reiniciar el planificador. El mejor recorrido se conserva.',
       stopped: 'Parado. El mejor recorrido se conserva.',
     },
-    improving: 'Se acabó el tiempo, pero el recorrido seguía mejorando.', quiet: (time) => `Listo. Nada mejor en los últimos ${time}.`, second: '1 s',
+    improving: 'Se acabó el tiempo. Puede mejorar más.', quiet: (time) => `Listo. Nada mejor en los últimos ${time}.`, second: '1 s',
   },
 
   drawing: {
