@@ -74,8 +74,9 @@ export class Layout {
     // The toolbar is a column at the right, or a row at the bottom of a narrow stage.
     const { offsetWidth: wide, offsetHeight: high } = toolbar;
     const isNarrow = wide > high;
-    // On a narrow stage the card has the whole width, and the sheet the room above it.
-    const [right, below] = isNarrow ? [0, high + card.offsetHeight] : [wide, 0];
+    // On a narrow stage the card has the whole width, and the sheet the room above it. In a low window the card lies over the toolbar.
+    const isOver = card.offsetHeight > 0 && card.getBoundingClientRect().bottom > toolbar.getBoundingClientRect().top;
+    const [right, below] = isNarrow ? [0, card.offsetHeight + (isOver ? 0 : high)] : [wide, 0];
     // A question lies over the bottom of the stage, and there over a toolbar; in a low window it lies over the panel, or over the right if that is closed.
     const asked = question.getBoundingClientRect();
     const covered = { right: box.right - asked.left, below: box.bottom - asked.top };
