@@ -58,7 +58,7 @@ test('a wrong file leaves the drawing, its plan and its undo as they were, and i
   await drop(page, 'letter.pdf', Buffer.from('%PDF-1.7 not a drawing'));
   const card = page.locator('.failure');
   await card.waitFor();
-  assert.match(await card.textContent(), /letter\.pdf.*stay as they were/s);
+  assert.match(await card.textContent(), /letter\.pdf.*Your current drawing has not changed/s);
   await shot(page, 'refused');
   assert.equal(await page.locator('.file-name').textContent(), 'own.dxf');
   assert.equal(await page.evaluate(() => document.body.dataset.phase), 'done');
@@ -295,4 +295,16 @@ test('without a secure connection the job is kept, and the clipboard is said to 
   await page.getByText('This browser does not let the page write to the clipboard').waitFor();
   await page.reload();
   await planned(page, 'own.dxf', 'done');
+});
+
+test('where a question is open, a wrong file is not said to leave a plan', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
+  await phase(page, 'done');
+  await drop(page, 'no-units.dxf', sample('no-units.dxf'));
+  await phase(page, 'question');
+  await drop(page, 'letter.pdf', Buffer.from('%PDF-1.7 not a drawing'));
+  const card = page.locator('.failure');
+  await card.waitFor();
+  assert.match(await card.textContent(), /Your current drawing has not changed\./);
+  assert.doesNotMatch(await card.textContent(), /\bplan\b/);
 });

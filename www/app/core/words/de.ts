@@ -158,7 +158,7 @@ export const de: Words = {
     unpinned: (contour) => `${contour}: nicht mehr festgelegt oder übersprungen.`,
     noPapers: (why) => `Die Verfahren aus Veröffentlichungen konnten nicht geladen werden. ${why}`,
     copied: 'Der G-Code ist in der Zwischenablage.', notCopied: 'Dieser Browser lässt die Seite nicht in die Zwischenablage schreiben: laden Sie den G-Code stattdessen herunter.',
-    stays: 'Die jetzige Zeichnung und ihr Plan bleiben, wie sie waren.', close: 'Schließen',
+    stays: 'Die jetzige Zeichnung ist unverändert.', close: 'Schließen',
     back: (file) => `${file} ist wieder da, so wie Sie es verlassen haben.`, forget: 'Vergessen', forgotten: 'Vergessen: in diesem Browser ist davon nichts mehr gespeichert.',
     kept: 'In diesem Browser für Ihren nächsten Besuch gespeichert.',
     nothingKept: 'Dieser Browser speichert nichts für diese Seite: Ihre Arbeit geht verloren, wenn Sie die Seite schließen. Laden Sie das Projekt herunter, um sie zu behalten.',

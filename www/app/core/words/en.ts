@@ -155,7 +155,7 @@ export const en = {
     unpinned: (contour: string) => `${contour}: no longer pinned or skipped.`,
     noPapers: (why: string) => `The methods from published papers could not be loaded. ${why}`,
     copied: 'The G-code is on the clipboard.', notCopied: 'This browser does not let the page write to the clipboard: download the G-code instead.',
-    stays: 'The current drawing and its plan stay as they were.', close: 'Close',
+    stays: 'Your current drawing has not changed.', close: 'Close',
     back: (file: string) => `${file} is back, as you left it.`, forget: 'Forget it', forgotten: 'Forgotten: nothing of it is stored in this browser any more.',
     kept: 'Kept in this browser for your next visit.',
     nothingKept: 'This browser stores nothing for this page, so your work is lost when you close it. Save the project to keep it.',

@@ -158,7 +158,7 @@ export const es: Words = {
     unpinned: (contour) => `${contour}: ya no está fijado ni omitido.`,
     noPapers: (why) => `No se pudieron cargar los métodos de publicaciones. ${why}`,
     copied: 'El G-code está en el portapapeles.', notCopied: 'Este navegador no permite que la página escriba en el portapapeles: descargue el G-code.',
-    stays: 'El dibujo actual y su plan siguen como estaban.', close: 'Cerrar',
+    stays: 'El dibujo actual no ha cambiado.', close: 'Cerrar',
     back: (file) => `${file} ha vuelto, tal como lo dejó.`, forget: 'Olvidarlo', forgotten: 'Olvidado: en este navegador ya no queda nada guardado de ello.',
     kept: 'Guardado en este navegador para su próxima visita.',
     nothingKept: 'Este navegador no guarda nada de esta página: su trabajo se pierde al cerrarla. Descargue el proyecto para conservarlo.',

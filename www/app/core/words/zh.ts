@@ -155,7 +155,7 @@ export const zh: Words = {
     unpinned: (contour) => `${contour}：不再固定或跳过。`,
     noPapers: (why) => `无法加载论文中的方法。${why}`,
     copied: 'G 代码已复制到剪贴板。', notCopied: '此浏览器不允许页面写入剪贴板：请下载 G 代码。',
-    stays: '当前的图及其方案保持不变。', close: '关闭',
+    stays: '当前的图保持不变。', close: '关闭',
     back: (file) => `${file} 已恢复，与您离开时一样。`, forget: '清除', forgotten: '已清除：此浏览器不再保存其任何内容。',
     kept: '已保存在此浏览器中，供您下次访问。',
     nothingKept: '此浏览器不为本页面保存数据，关闭页面后您的工作会丢失。如需保留，请下载项目。',
