@@ -232,6 +232,16 @@ it('what is found in a careless drawing and in a broken file is said in every la
   }
 });
 
+it('a file of another format is explained in every language, without a sentence in English', async (t) => {
+  const { translated } = await bundled(SENTENCES_FILE);
+  const planner = await createPlanner();
+  t.after(() => planner.close());
+  for (const [name, text] of [['dwg', 'AC1032\0\0'], ['pdf', '%PDF-1.7'], ['png', '\x89PNG\r\n'], ['jpg', '\xff\xd8\xff'], ['zip', 'PK\x03\x04'], ['step', 'ISO-10303-21;'], ['gcode', 'G21\nG90\nG0 X1 Y1\nM3 S100\nG1 X2 Y2\n'], ['txt', 'hello']]) {
+    const { message } = await planner.load(Buffer.from(text, 'latin1'), `plate.${name}`).then(() => assert.fail(name), (error) => error);
+    for (const language of OTHERS) assert.notEqual(translated(await wordsOf(language), message), null, `${language} ${name}: ${message}`);
+  }
+});
+
 it('what an SVG hides, masks or lacks is said in every language', async (t) => {
   const { translated } = await bundled(SENTENCES_FILE);
   const planner = await createPlanner();

@@ -198,6 +198,13 @@ export const SENTENCES = {
   separatedLater: 'which the machine separates later',
   separatedByHand: 'which a person separates',
   noBridge: 'No bridge saves time: no two parts face each other within reach with room for one, or piercing takes less than its sides.',
+  neither: 'This is neither a DXF nor an SVG file, or one damaged beyond reading. Save the drawing as DXF or SVG.',
+  isDwg: 'This is a DWG file. In AutoCAD, use Save As and choose DXF (R2000 or later, ASCII); without it, the free ODA File Converter makes a DXF.',
+  isPdf: 'This is a PDF file. Open it in Inkscape or Illustrator and save it as SVG or DXF; a CAD program exports DXF directly.',
+  isPicture: 'This is a {} picture. A laser needs lines: trace it in a drawing program (Inkscape: Path, Trace Bitmap) and save it as SVG or DXF.',
+  isStep: 'This is a STEP file, a solid. In the CAD program (Fusion, SolidWorks, FreeCAD), export its flat pattern or one of its faces as DXF.',
+  isZip: 'This is a ZIP archive (or a document made of one). Unpack it and use the DXF or SVG file in it.',
+  isGcode: 'This is G-code, a program for a machine. Use the drawing it was made from, as DXF or SVG.',
 } as const;
 
 /** The same in another language, with `{0}`, `{1}`, ... for the values, and what stands between two reasons. */

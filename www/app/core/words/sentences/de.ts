@@ -192,4 +192,11 @@ export const sentences: Sentences = {
   separatedLater: 'die Maschine trennt sie später',
   separatedByHand: 'jemand trennt sie von Hand',
   noBridge: 'Keine Brücke spart Zeit: Keine zwei Teile liegen sich in Reichweite mit Platz dafür gegenüber, oder das Einstechen dauert kürzer als ihre Seiten.',
+  neither: 'Das ist weder eine DXF- noch eine SVG-Datei, oder eine unlesbar beschädigte. Speichern Sie die Zeichnung als DXF oder SVG.',
+  isDwg: 'Das ist eine DWG-Datei. Wählen Sie in AutoCAD „Speichern unter“ und DXF (R2000 oder neuer, ASCII); ohne AutoCAD macht der kostenlose ODA File Converter ein DXF daraus.',
+  isPdf: 'Das ist eine PDF-Datei. Öffnen Sie sie in Inkscape oder Illustrator und speichern Sie sie als SVG oder DXF; ein CAD-Programm exportiert direkt DXF.',
+  isPicture: 'Das ist ein {0}-Bild. Ein Laser braucht Linien: Zeichnen Sie es in einem Zeichenprogramm nach (Inkscape: Pfad, Bitmap nachzeichnen) und speichern Sie es als SVG oder DXF.',
+  isStep: 'Das ist eine STEP-Datei, ein Volumenkörper. Exportieren Sie im CAD-Programm (Fusion, SolidWorks, FreeCAD) die Abwicklung oder eine Fläche als DXF.',
+  isZip: 'Das ist ein ZIP-Archiv (oder ein Dokument in dieser Form). Entpacken Sie es und nehmen Sie die DXF- oder SVG-Datei daraus.',
+  isGcode: 'Das ist G-Code, ein Programm für eine Maschine. Nehmen Sie die Zeichnung, aus der er gemacht wurde, als DXF oder SVG.',
 };

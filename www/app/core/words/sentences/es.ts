@@ -192,4 +192,11 @@ export const sentences: Sentences = {
   separatedLater: 'la máquina las separa después',
   separatedByHand: 'alguien las separa a mano',
   noBridge: 'Ningún puente ahorra tiempo: no hay dos piezas enfrentadas a su alcance con sitio para uno, o la perforación tarda menos que sus lados.',
+  neither: 'No es un archivo DXF ni SVG, o está tan dañado que no se puede leer. Guarde el dibujo como DXF o SVG.',
+  isDwg: 'Es un archivo DWG. En AutoCAD, use Guardar como y elija DXF (R2000 o posterior, ASCII); sin AutoCAD, el programa gratuito ODA File Converter hace un DXF.',
+  isPdf: 'Es un archivo PDF. Ábralo en Inkscape o Illustrator y guárdelo como SVG o DXF; un programa de CAD exporta DXF directamente.',
+  isPicture: 'Es una imagen {0}. Un láser necesita líneas: vectorícela en un programa de dibujo (Inkscape: Trayecto, Vectorizar mapa de bits) y guárdela como SVG o DXF.',
+  isStep: 'Es un archivo STEP, un sólido. En el programa de CAD (Fusion, SolidWorks, FreeCAD), exporte su desarrollo o una de sus caras como DXF.',
+  isZip: 'Es un archivo ZIP (o un documento hecho así). Descomprímalo y use el archivo DXF o SVG que contiene.',
+  isGcode: 'Es código G, un programa para una máquina. Use el dibujo del que salió, en DXF o SVG.',
 };

@@ -192,4 +192,11 @@ export const sentences: Sentences = {
   separatedLater: '後で機械が切り離します',
   separatedByHand: '人が手で切り離します',
   noBridge: '時間を節約できるブリッジはありません。届く範囲に余地をもって向かい合う部品がないか、ピアスのほうがブリッジの両辺より速いためです。',
+  neither: 'DXF でも SVG でもないか、読めないほど破損しています。図面を DXF または SVG で保存してください。',
+  isDwg: 'これは DWG ファイルです。AutoCAD の「名前を付けて保存」で DXF（R2000 以降、ASCII）を選んでください。AutoCAD がなければ、無料の ODA File Converter で DXF に変換できます。',
+  isPdf: 'これは PDF ファイルです。Inkscape か Illustrator で開き、SVG または DXF で保存してください。CAD からは DXF を直接書き出せます。',
+  isPicture: 'これは {0} 画像です。レーザーには線が必要です。描画ソフトでトレースし（Inkscape：パス、ビットマップのトレース）、SVG または DXF で保存してください。',
+  isStep: 'これは STEP ファイル（立体）です。CAD（Fusion、SolidWorks、FreeCAD）で展開図または面を DXF に書き出してください。',
+  isZip: 'これは ZIP アーカイブ（またはその形式の文書）です。展開して、中の DXF または SVG を使ってください。',
+  isGcode: 'これは G コード（機械のプログラム）です。元の図面を DXF または SVG で使ってください。',
 };

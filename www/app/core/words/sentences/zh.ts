@@ -192,4 +192,11 @@ export const sentences: Sentences = {
   separatedLater: '之后由机器分开',
   separatedByHand: '由人工分开',
   noBridge: '没有能节省时间的连桥：范围内没有两个零件相对且有空间，或穿孔比切连桥的两侧更快。',
+  neither: '这既不是 DXF 也不是 SVG 文件，或已损坏到无法读取。请将图保存为 DXF 或 SVG。',
+  isDwg: '这是 DWG 文件。请在 AutoCAD 中另存为 DXF（R2000 或更高版本，ASCII）；没有 AutoCAD 时，可用免费的 ODA File Converter 转换为 DXF。',
+  isPdf: '这是 PDF 文件。请在 Inkscape 或 Illustrator 中打开并保存为 SVG 或 DXF；CAD 程序可以直接导出 DXF。',
+  isPicture: '这是 {0} 图片。激光需要线条：请在绘图程序中描摹（Inkscape：路径，描摹位图），再保存为 SVG 或 DXF。',
+  isStep: '这是 STEP 文件（实体）。请在 CAD 程序（Fusion、SolidWorks、FreeCAD）中将展开图或其中一个面导出为 DXF。',
+  isZip: '这是 ZIP 压缩包（或由其构成的文档）。请解压并使用其中的 DXF 或 SVG 文件。',
+  isGcode: '这是 G 代码，即机器的程序。请使用生成它的图，格式为 DXF 或 SVG。',
 };
