@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { sample } from './page-drawings.mjs';
 import { shot, still } from './page-pictures.mjs';
-import { drop, openPage, openPlanned, phase, planned } from './page-support.mjs';
+import { drop, nextFrames, openPage, openPlanned, phase, planned } from './page-support.mjs';
 
 /** A DXF of a rectangle, mm. */
 function rectangle(x, y, width, height) {
@@ -76,4 +76,37 @@ test('the width of the sheet interrupts the edge of the bed', async (t) => {
   }, scale);
   assert.ok(struck.beside > 30, `the edge of the bed is drawn: ${struck.beside} pixels`);
   assert.ok(struck.at < 8, `and not through the text: ${struck.at} pixels`);
+});
+
+/** Runs in the page before anything else: records what is written on the chart since it was last cleared. */
+const watchChart = () => {
+  window.written = [];
+  const { fillText, clearRect } = CanvasRenderingContext2D.prototype;
+  CanvasRenderingContext2D.prototype.fillText = function (text, ...place) {
+    if (this.canvas.closest('.chart')) window.written.push(text);
+    return fillText.call(this, text, ...place);
+  };
+  CanvasRenderingContext2D.prototype.clearRect = function (...box) {
+    if (this.canvas.closest('.chart')) window.written = [];
+    return clearRect.call(this, ...box);
+  };
+};
+
+test('the marks of the chart are apart by steps in which people count time', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4&seed=1', prepare: watchChart });
+  await phase(page, 'done');
+  await still(page);
+  await nextFrames(page, 60);
+  const labels = await page.evaluate(() => window.written.filter((text) => text.includes(':')));
+  const times = labels.map((text) => text.split(':').reduce((sum, part) => 60 * sum + Number(part), 0)).sort((a, b) => a - b);
+  assert.ok(times.length >= 2, String(times));
+  const steps = [1, 2, 5, 10, 20, 30, 60, 120, 300, 600];
+  for (let i = 1; i < times.length; i += 1) assert.ok(steps.includes(times[i] - times[i - 1]), String(times));
+  assert.ok(times.every((s) => s % (times[1] - times[0]) === 0), String(times));
+});
+
+test('a difference of minutes is written like the times that it is the difference of', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4&seed=1' });
+  await phase(page, 'done');
+  assert.match(await page.locator('details.section', { has: page.getByRole('heading', { name: 'Result', exact: true }) }).textContent(), /; 0:1\d:\d\d less than as drawn/);
 });

@@ -18,6 +18,8 @@ const FIRST = 0.01;
 /** Milliseconds between two redraws. */
 const PAUSE = 250;
 const HEIGHT = 136;
+/** Steps between the marks of job times, s: what people count time in. */
+const STEPS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 1800, 3600, 7200, 14_400, 36_000, 72_000, 180_000, 360_000, 720_000];
 /** The drawing order is shown unless it is farther from the best path than this multiple of what the search has gained. */
 const FAR = 8;
 
@@ -41,7 +43,7 @@ export function chart(session: Session, theme: Theme): HTMLElement {
     scales: { x: { time: false, distr: 3, range: (_u, _low, high) => [FIRST, Math.max(1, high)] }, y: { range: (_u, low, high) => pad(low, high) } },
     axes: [
       { ...axis, size: 22, space: 40, filter: decades, grid: { ...axis.grid, filter: decades }, values: (_u, splits) => splits.map((s) => (s === null ? '' : `${upTo(s, 3)} s`)) },
-      { ...axis, size: 52, space: 32, values: (_u, splits) => splits.map((s) => (s < LONG ? `${upTo(s, 2)} s` : seconds(s))) },
+      { ...axis, size: 52, space: 32, incrs: STEPS, values: (_u, splits) => splits.map((s) => (s < LONG ? `${upTo(s, 2)} s` : seconds(s))) },
     ],
     series: [
       {},

@@ -20,6 +20,9 @@ const ROWS = [
   { key: 'now', label: words.result.now, line: 'solid' },
 ] as const;
 
+/** s */
+const MINUTE = 60;
+
 const DOWNLOADS: readonly OutputKind[] = ['gcode', 'dxf', 'svg', 'png', 'json', 'lbrn2', 'rd', 'remainder'];
 
 export interface ResultActions {
@@ -77,7 +80,9 @@ export function resultPanel(session: Session, theme: Theme, { download, saveProj
       const gain = usual.total_time - now.total_time;
       const more = before.total_time - now.total_time;
       setText(saved, gain >= 0 ? words.result.saved(seconds(gain)) : words.result.longer(seconds(-gain)));
-      setText(of, unbroken(words.result.of(percent(Math.abs(gain) / usual.total_time), more >= 0 ? words.result.less(seconds(more)) : words.result.more(seconds(-more)))));
+      // A long difference looks like the times that it is the difference of.
+      const apart = seconds(Math.abs(more), Math.abs(more) < MINUTE ? 0 : before.total_time);
+      setText(of, unbroken(words.result.of(percent(Math.abs(gain) / usual.total_time), more >= 0 ? words.result.less(apart) : words.result.more(apart))));
     }
     const longest = Math.max(before?.total_time ?? 0, state.baselines?.greedy.total_time ?? 0, now.total_time);
     rows[0]!.show(before, longest);
@@ -140,7 +145,7 @@ function showParts(list: HTMLElement, s: Summary): void {
   if (s.hot_pairs) rows.push(['hot-pairs', words.heat.hotPairs, count(s.hot_pairs)]);
   if (s.pre_cuts > 0) rows.push(['pre-cuts', words.result.preCuts, `${seconds(s.pre_cut_time)} · ${count(s.pre_cuts)}`]);
   if (s.macro_time > 0) rows.push(['corners', words.result.corners, seconds(s.macro_time)]);
-  rows.push(['gap', words.result.gap, leftToGain(s)]);
+  rows.push([s.gap === null ? 'gap' : 'gap bound', words.result.gap, leftToGain(s)]);
   const text = JSON.stringify(rows);
   if (list.dataset.shown === text) return;
   list.dataset.shown = text;
