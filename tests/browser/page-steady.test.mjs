@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { sample } from './page-drawings.mjs';
+import { grid, sample } from './page-drawings.mjs';
 import { drop, nextFrames, openEverything, openPage, phase, planned, SIZES } from './page-support.mjs';
 
 /** The sum of the shifts that still counts as standing still: 0.1 is what browsers call good. */
@@ -48,3 +48,21 @@ for (const [name, size] of Object.entries(SIZES)) {
     assert.equal(await page.evaluate(() => document.body.classList.contains('sheet-open')), false);
   });
 }
+
+test('a drawing that needs no attention does not close the section that a person has opened', async (t) => {
+  const { page } = await openPage(t, { size: { width: 1280, height: 720 }, hash: 'seconds=0.4', prepare: watchShifts });
+  await phase(page, 'done');
+  const drawing = page.locator('details.section').first();
+  assert.equal(await drawing.evaluate((d) => d.open), false);
+  await drawing.locator('summary').first().click();
+  await nextFrames(page, 60);
+  await shifted(page);
+  await drop(page, 'own.dxf', grid(12));
+  await planned(page, 'own.dxf', 'done');
+  assert.equal(await drawing.evaluate((d) => d.open), true);
+  // Once the person has closed it, it is closed.
+  await drawing.locator('summary').first().click();
+  await drop(page, 'other.dxf', grid(9));
+  await planned(page, 'other.dxf', 'done');
+  assert.equal(await drawing.evaluate((d) => d.open), false);
+});

@@ -22,6 +22,9 @@ const COPIES = 4;
 
 export function drawingPanel(session: Session, preview: Preview, { keeper, forget }: { keeper: Keeper; forget: () => void }, onFinding: (finding: Finding) => void, onContour: (contour: number) => void, onContours: (contours: readonly number[]) => void): HTMLDetailsElement & { findings: FindingList } {
   const { root, body, setGist } = section(words.drawing.title, innerHeight >= ROOMY);
+  // Whether the person has opened the section, which stays open then.
+  let opened = false;
+  root.firstElementChild!.addEventListener('click', () => (opened = !root.open));
   const layers = h('div');
   const copies = h('div', { class: 'copies' });
   const counts = h('p', { class: 'soft' });
@@ -96,7 +99,7 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
     // What is said of another drawing is new; it has not moved from where the lines about the drawing before were.
     if (fresh) body.append(content);
     // On a low screen the result comes first, unless the person should look at the drawing.
-    if (fresh && !session.state.sample) root.open = innerHeight >= ROOMY || needsAttention(loaded);
+    if (fresh && !session.state.sample) root.open = opened || innerHeight >= ROOMY || needsAttention(loaded);
   });
   // The findings of the plan arrive when it starts.
   let shown = session.state.planFindings;
