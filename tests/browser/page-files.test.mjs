@@ -242,3 +242,19 @@ test('in a queue, a file that is read slowly is not planned under the name of an
   const cuts = await Promise.all(saved.map(async (d) => [d.suggestedFilename().split('-')[0], beamRuns(readFileSync(await d.path(), 'utf8')).length]));
   assert.deepEqual(Object.fromEntries(cuts), { slow: 20, other: 30 });
 });
+
+test('a file that cannot be used leaves the one before it open: its question is answered, and it counts as planned', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
+  await phase(page, 'planning', 'done');
+  await dropAll(page, [['asks.dxf', sample('no-units.dxf')], ['broken.dxf', Buffer.from('AC1032\0\0')]]);
+  await told(page, '2 of 2');
+  await page.locator('.failure').getByRole('button', { name: 'Close' }).click();
+  await queue(page).click();
+  assert.match(await page.locator('.menu-item[aria-current]:visible').textContent(), /^asks\.dxf/);
+  await page.keyboard.press('Escape');
+  await page.locator('.card.question .choices button').first().click();
+  await phase(page, 'done');
+  await queue(page).click();
+  await page.locator('.menu-item:visible', { hasText: 'asks.dxf' }).filter({ hasText: 'Planned' }).waitFor();
+  assert.match(Object.fromEntries(await items(page))['broken.dxf'], /DWG/);
+});

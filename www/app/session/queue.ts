@@ -40,6 +40,8 @@ export class Queue extends Emitter<Events> {
   private opened: Item | null = null;
   /** Whether the drawing of the session is that of the open item: before, it is still the one before it. */
   private isRead = false;
+  /** The item whose drawing the session has. It stays open where the next one cannot be used. */
+  private shown: Item | null = null;
   /** The openings of items: an item that is opened again has an older one, which says nothing any more. */
   private readonly latest = new Latest();
 
@@ -62,7 +64,7 @@ export class Queue extends Emitter<Events> {
     const [file] = files;
     if (file === undefined) return;
     this.all = files.length < 2 ? [] : files.map((file) => ({ file, state: 'waiting', seconds: null, gcode: null, machine: null, load: null, sentence: null }));
-    [this.opened, this.isRead] = [null, false];
+    [this.opened, this.isRead, this.shown] = [null, false, null];
     this.emit('change', this.all);
     const [first] = this.all;
     if (first === undefined) void this.open(file, null);
@@ -80,21 +82,28 @@ export class Queue extends Emitter<Events> {
     const item = this.opened;
     if (item?.state === 'planning') item.state = 'waiting';
     if (item !== null && this.isRead) item.load = this.session.state.load;
-    [this.opened, this.isRead] = [null, false];
+    [this.opened, this.isRead, this.shown] = [null, false, null];
     this.emit('change', this.all);
   }
 
   private begin(item: Item): void {
+    const { shown } = this;
     this.leave();
     item.state = 'planning';
-    this.opened = item;
+    [this.opened, this.shown] = [item, shown];
     const isLatest = this.latest.begin();
     this.emit('change', this.all);
     void this.open(item.file, item.load).then((refusal) => {
       if (!isLatest() || this.opened !== item) return;
-      this.isRead = refusal === null;
-      if (refusal === null) void this.follow();
-      else this.end(item, 'failed', { sentence: refusal });
+      if (refusal === null) {
+        [this.isRead, this.shown] = [true, item];
+        void this.follow();
+        return;
+      }
+      this.end(item, 'failed', { sentence: refusal });
+      if (this.opened !== item || this.shown === null) return;
+      [this.opened, this.isRead] = [this.shown, true];
+      this.emit('change', this.all);
     });
   }
 
