@@ -217,3 +217,17 @@ test('axe finds nothing serious, wide and narrow, light and dark, with everythin
     await shot(page, `page-${size.width}`);
   }
 });
+
+test('Escape leaves a field, so that the next key is a shortcut', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
+  await phase(page, 'done');
+  await page.locator('summary', { hasText: 'Plan' }).first().press('Enter');
+  const seed = page.getByLabel('Seed');
+  await seed.fill('7');
+  await page.keyboard.press('t');
+  assert.equal(await page.getByRole('table', { name: 'Cutting order' }).count(), 0, 'a field takes letters for itself');
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('t');
+  await page.getByRole('table', { name: 'Cutting order' }).waitFor();
+  assert.equal(await seed.inputValue(), '7');
+});

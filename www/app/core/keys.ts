@@ -9,7 +9,11 @@ export function bindKeys(bindings: Bindings): void {
     if (event.altKey || event.defaultPrevented) return;
     const command = event.ctrlKey || event.metaKey;
     const target = event.target as HTMLElement;
-    if (target.closest('input:not([type=checkbox]), select, textarea, [contenteditable], dialog, [popover]')) return;
+    if (target.closest('input:not([type=checkbox]), select, textarea, [contenteditable], dialog, [popover]')) {
+      // Out of a field, so that the next key is a shortcut again; Tab goes on from there.
+      if (event.key === 'Escape' && !target.closest('dialog, [popover]')) target.blur();
+      return;
+    }
     // Space and Enter act on the button, the switch or the disclosure that has the focus.
     if ((event.key === ' ' || event.key === 'Enter') && target.closest('button, summary, a, input')) return;
     if (event.key.startsWith('Arrow') && target.closest('.order-scroll') && /Up|Down/.test(event.key)) return;

@@ -120,7 +120,7 @@ export function machineControls(session: Session, notify: (sentence: string) => 
   const advanced = h('details', { class: 'more' }, h('summary', {}, words.machine.advanced),
     h('div', { class: 'stack' }, field(words.machine.air, travel.root), ...QUANTITIES.flatMap((q, i) => [field(q.label, inputs[i]!.input, q.unit), hintOf(q)]), home.root,
       button(words.machine.start, { class: 'small', onclick: chooseHome }), back));
-  const root = h('div', { class: 'stack' }, choice.root, library.choice, partialCuts.root, pausing.root, levers.root, leads.root, joints.root, skeleton.root, dialect.root, advanced, library.root, fitting, own.root);
+  const root = h('div', { class: 'stack' }, choice.root, library.choice, advanced, partialCuts.root, pausing.root, levers.root, leads.root, joints.root, skeleton.root, dialect.root, library.root, fitting, own.root);
   const whatElse = sayWhatElse(root);
   let shown: MachineProfile | null = null;
 

@@ -449,7 +449,7 @@ export const de: Words = {
       ['Strg Z', 'Eine Entscheidung zurücknehmen; mit Umschalt wiederholen'],
       ['Strg S', 'Das Projekt speichern: Zeichnung, Entscheidungen und Plan'],
       ['D', 'Zwischen zwei Punkten messen'],
-      ['Esc', 'Die Auswahl aufheben'],
+      ['Esc', 'Ein Feld verlassen, die Auswahl aufheben'],
       ['?', 'Diese Liste zeigen'],
     ],
     more: 'Das Mausrad oder zwei Finger zoomen um den Zeiger, Ziehen verschiebt die Tafel, ein Klick wählt eine Kontur. Umschalt mit Ziehen wählt, was in einem Rahmen liegt, Strg mit Klick fügt zur Auswahl hinzu. Umschalt mit Klick schneidet eine Kontur zuerst, Alt mit Klick überspringt sie. Die Zeichnung verlässt diesen Rechner nie.',

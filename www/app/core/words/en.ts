@@ -120,7 +120,7 @@ const keys: readonly (readonly [string, string])[] = [
   ['Ctrl Z', 'Undo a choice; with Shift, redo it'],
   ['Ctrl S', 'Save the project: drawing, decisions and plan'],
   ['D', 'Measure between two points'],
-  ['Esc', 'Clear the selection'],
+  ['Esc', 'Leave a field, clear the selection'],
   ['?', 'Show this list'],
 ];
 

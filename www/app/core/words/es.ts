@@ -449,7 +449,7 @@ export const es: Words = {
       ['Ctrl Z', 'Deshacer una decisión; con Mayús, rehacerla'],
       ['Ctrl S', 'Guardar el proyecto: dibujo, decisiones y plan'],
       ['D', 'Medir entre dos puntos'],
-      ['Esc', 'Quitar la selección'],
+      ['Esc', 'Salir de un campo, quitar la selección'],
       ['?', 'Mostrar esta lista'],
     ],
     more: 'La rueda o un pellizco acercan y alejan en torno al puntero, arrastrar mueve la chapa, un clic selecciona un contorno. Mayús al arrastrar selecciona lo que hay en un recuadro, Ctrl con un clic añade a la selección. Mayús con un clic corta un contorno primero, Alt con un clic lo omite. El dibujo nunca sale de este equipo.',
