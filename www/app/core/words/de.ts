@@ -274,7 +274,7 @@ export const de: Words = {
     clearance: 'Abstand zu Teilen', centerBelow: 'Aus der Mitte in Löchern unter', overcut: 'Überschnitt',
     kinds: { none: 'Keine', line: 'Linie', arc: 'Bogen', 'line-arc': 'Linie und Bogen', center: 'Aus der Mitte' },
     positions: { any: 'Wo es am schnellsten ist', corner: 'An Ecken', side: 'In der Mitte von Seiten' },
-    about: 'Anfahrten liegen im Abfall: in Löchern, außerhalb von Teilen. Wo eine nicht passt, wird sie gedreht, verschoben, gekürzt oder weggelassen und unter Befunde aufgeführt. Ein negativer Überschnitt lässt eine Lücke.',
+    about: 'Anfahrten liegen im Abfall: in Löchern, außerhalb von Teilen. Wo eine nicht passt, wird sie gedreht, verschoben, gekürzt oder weggelassen und unter Zeichnung aufgeführt. Ein negativer Überschnitt lässt eine Lücke.',
     custom: 'Diese Maschine hat eigene Regeln für Anfahrten.', replace: 'Durch eine Anfahrt für alle ersetzen', ownRules: 'eigene Regeln',
   },
 
@@ -283,7 +283,7 @@ export const de: Words = {
     least: 'Nur Konturen ab', most: 'Nur Konturen bis', any: 'beliebig', kind: 'An einem Steg',
     sides: { both: 'Teilen und Löchern', outer: 'Teilen', hole: 'Löchern' },
     kinds: { stop: 'Anhalten und einstechen', flying: 'Weiterfahren' },
-    about: 'Kurze Stücke einer Kontur bleiben ungeschnitten, damit ihr Stück weder fällt noch kippt. Die Schnittfuge kommt zur Breite dazu. Stege bleiben von Ecken, Anfahrten und anderen Schnitten weg; wo einer nicht passt, steht es unter Befunde.',
+    about: 'Kurze Stücke einer Kontur bleiben ungeschnitten, damit ihr Stück weder fällt noch kippt. Die Schnittfuge kommt zur Breite dazu. Stege bleiben von Ecken, Anfahrten und anderen Schnitten weg; wo einer nicht passt, steht es unter Zeichnung.',
     custom: 'Diese Maschine hat eigene Regeln für Stege.', replace: 'Durch eine Regel ersetzen', ownRules: 'eigene Regeln',
     place: 'Von Hand setzen', placing: 'Klicken Sie auf eine Kontur, wo sie gehalten werden soll; ein Klick auf einen Steg entfernt ihn. Die Schaltfläche oder Esc beendet es.', clear: 'Alle entfernen',
     placed: (n, written) => `${counted(n, written, 'Steg', 'Stege')} von Hand`,

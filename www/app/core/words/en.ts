@@ -271,7 +271,7 @@ export const en = {
     clearance: 'Distance from parts', centerBelow: 'From the centre in holes below', overcut: 'Overcut',
     kinds: { none: 'None', line: 'Line', arc: 'Arc', 'line-arc': 'Line and arc', center: 'From the centre' } satisfies Record<LeadKind, string>,
     positions: { any: 'Wherever it is fastest', corner: 'At corners', side: 'In the middle of sides' } satisfies Record<LeadPosition, string>,
-    about: 'Leads lie in scrap: inside holes, outside parts. Where one does not fit it is changed or left out, and listed under Findings. A negative overcut leaves a gap.',
+    about: 'Leads lie in scrap: inside holes, outside parts. Where one does not fit it is changed or skipped, and listed under Drawing. A negative overcut leaves a gap.',
     custom: 'This machine has lead rules of its own.', replace: 'Replace them by one lead for all', ownRules: 'own rules',
   },
 
@@ -280,7 +280,7 @@ export const en = {
     least: 'Only contours from', most: 'Only contours up to', any: 'any', kind: 'At a joint',
     sides: { both: 'Parts and holes', outer: 'Parts', hole: 'Holes' } satisfies Record<JointSide, string>,
     kinds: { stop: 'Stop and pierce', flying: 'Keep moving' } satisfies Record<JointKind, string>,
-    about: 'Short lengths of a contour stay uncut, so that its piece neither falls nor tips. The kerf is added to the width. Where one does not fit, Findings say so.',
+    about: 'Short lengths of a contour stay uncut, so that its piece neither falls nor tips. The kerf is added to the width. Where one does not fit, that is listed under Drawing.',
     custom: 'This machine has joint rules of its own.', replace: 'Replace them by one rule', ownRules: 'own rules',
     place: 'Place by hand', placing: 'Click a contour where it should be held; click a joint to remove it. The button or Esc ends it.', clear: 'Remove all',
     placed: (n: number, written: string) => `${counted(n, written, 'joint')} by hand`,

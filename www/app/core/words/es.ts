@@ -274,7 +274,7 @@ export const es: Words = {
     clearance: 'Distancia a las piezas', centerBelow: 'Desde el centro en agujeros menores de', overcut: 'Sobrecorte',
     kinds: { none: 'Ninguna', line: 'Línea', arc: 'Arco', 'line-arc': 'Línea y arco', center: 'Desde el centro' },
     positions: { any: 'Donde sea más rápido', corner: 'En las esquinas', side: 'En el centro de los lados' },
-    about: 'Las entradas quedan en el recorte: dentro de agujeros, fuera de piezas. Donde una no cabe se gira, se mueve, se acorta o se omite, y aparece en las observaciones. Un sobrecorte negativo deja un hueco.',
+    about: 'Las entradas quedan en el recorte: dentro de agujeros, fuera de piezas. Donde una no cabe se gira, se mueve, se acorta o se omite, y aparece en Dibujo. Un sobrecorte negativo deja un hueco.',
     custom: 'Esta máquina tiene reglas de entrada propias.', replace: 'Sustituirlas por una entrada para todos', ownRules: 'reglas propias',
   },
 
@@ -283,7 +283,7 @@ export const es: Words = {
     least: 'Solo contornos desde', most: 'Solo contornos hasta', any: 'cualquiera', kind: 'En una unión',
     sides: { both: 'Piezas y agujeros', outer: 'Piezas', hole: 'Agujeros' },
     kinds: { stop: 'Parar y perforar', flying: 'Seguir en marcha' },
-    about: 'Tramos cortos de un contorno quedan sin cortar, para que su pieza ni caiga ni se levante. A la anchura se suma la del corte. Las uniones evitan esquinas, entradas y otros cortes; donde una no cabe, se dice en las observaciones.',
+    about: 'Tramos cortos de un contorno quedan sin cortar, para que su pieza ni caiga ni se levante. A la anchura se suma la del corte. Las uniones evitan esquinas, entradas y otros cortes; donde una no cabe, se dice en Dibujo.',
     custom: 'Esta máquina tiene reglas propias de uniones.', replace: 'Sustituirlas por una regla', ownRules: 'reglas propias',
     place: 'Colocar a mano', placing: 'Haga clic en un contorno donde deba sujetarse; un clic en una unión la quita. El botón o Esc lo termina.', clear: 'Quitar todas',
     placed: (n, written) => `${counted(n, written, 'unión', 'uniones')} a mano`,

@@ -271,7 +271,7 @@ export const zh: Words = {
     clearance: '与零件的距离', centerBelow: '小于此值的孔从中心引入', overcut: '过切',
     kinds: { none: '无', line: '直线', arc: '圆弧', 'line-arc': '直线加圆弧', center: '从中心' },
     positions: { any: '最快处', corner: '在拐角', side: '在边的中间' },
-    about: '引线位于废料上：在孔内、零件外。放不下时会旋转、移动、缩短或省略，并列在检查结果中。负的过切会留下缺口。',
+    about: '引线位于废料上：在孔内、零件外。放不下时会旋转、移动、缩短或省略，并列在“图”中。负的过切会留下缺口。',
     custom: '这台机器有自己的引线规则。', replace: '全部替换为一种引线', ownRules: '自有规则',
   },
 
@@ -280,7 +280,7 @@ export const zh: Words = {
     least: '仅限轮廓不小于', most: '仅限轮廓不大于', any: '任意', kind: '在连接处',
     sides: { both: '零件和孔', outer: '零件', hole: '孔' },
     kinds: { stop: '停下并穿孔', flying: '继续运动' },
-    about: '轮廓上留下短段不切，使切下的部分既不掉落也不翘起。宽度之外再加上割缝。连接避开拐角、引线和其他切割；放不下时会在检查结果中说明。',
+    about: '轮廓上留下短段不切，使切下的部分既不掉落也不翘起。宽度之外再加上割缝。连接避开拐角、引线和其他切割；放不下时会在“图”中说明。',
     custom: '此机器有自己的微连接规则。', replace: '用一条规则替换', ownRules: '自有规则',
     place: '手动放置', placing: '在轮廓上要固定的地方单击；单击连接可将其移除。再按按钮或 Esc 结束。', clear: '全部移除',
     placed: (_n, written) => `手动放置 ${written} 个`,
