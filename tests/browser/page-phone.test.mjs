@@ -31,7 +31,7 @@ const inked = () => {
   return { left: box.left + left, right: box.right + left, top: box.top + top, bottom: box.bottom + top };
 };
 
-for (const size of [SIZES.phone, TABLET]) {
+for (const size of [SIZES.phone, SMALL, TABLET]) {
   test(`the table of the order shows all of its columns (${size.width})`, async (t) => {
     const { page } = await openPage(t, { size, hash: 'seconds=0.4', prepare: inLanguage('de') });
     await phase(page, 'done');

@@ -151,7 +151,7 @@ test('the page asks about uncertain units before it plans', async (t) => {
   const card = page.getByRole('region', { name: 'How large is this drawing?' });
   await page.waitForFunction(() => document.activeElement.matches('.card.question'));
   const answers = await card.getByRole('button').evaluateAll((all) => all.map((b) => [b.lastElementChild.textContent, b.className]));
-  assert.deepEqual(answers, [['in millimetres', ''], ['in inches · guessed', ''], ['in centimetres', ''], ['in metres', '']], 'none is proposed');
+  assert.deepEqual(answers, [['in millimetres', ''], ['in inches, guessed', ''], ['in centimetres', ''], ['in metres', '']], 'none is proposed');
   await page.keyboard.press('Enter');
   await page.keyboard.press('Space');
   await nextFrames(page, 10);

@@ -45,7 +45,7 @@ export function preflight(session: Session, refuse: (why: string) => void): HTML
     root.classList.toggle('unchecked', unchecked !== undefined);
     if (unchecked !== undefined) verdict.replaceChildren(words.preflight.unchecked);
     else verdict.replaceChildren(icon(fails ? 'warning' : 'check'), fails ? reason : words.preflight.passes);
-    facts.textContent = report ? unbroken(factsOf(report).join(' · ')) : (refused ?? unchecked ?? '');
+    facts.textContent = report ? unbroken(factsOf(report).join('\u00a0· ')) : (refused ?? unchecked ?? '');
     const list = report?.problems ?? [];
     problems.replaceChildren(...list.slice(0, LISTED).map((p) => h('li', { class: p.severity }, p.count > 1 ? words.preflight.more(inChosenUnit(p.message), count(p.count - 1)) : inChosenUnit(p.message))));
     // What is not checked yet is checked while it is written, and is not handed out if it fails.

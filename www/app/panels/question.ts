@@ -70,7 +70,7 @@ function units(session: Session, loaded: Loaded): HTMLElement[] {
   // None is proposed: the page does not know, and a wrong unit makes the job 25 times too large or too small. What the planner took says where it is from.
   const choice = (c: UnitChoice) => {
     const name = c.dpi === undefined ? words.question.in(words.unitNames[c.units ?? 'px']) : words.question.dpi(c.dpi);
-    return h('button', { type: 'button', onclick: () => session.drawing.setUnits(c) }, h('span', {}, sizeIn(session.state, c)), h('span', {}, isTaken(loaded, c) ? `${name} · ${words.unitSources[loaded.units.source]}` : name));
+    return h('button', { type: 'button', onclick: () => session.drawing.setUnits(c) }, h('span', {}, sizeIn(session.state, c)), h('span', {}, isTaken(loaded, c) ? `${name}, ${words.unitSources[loaded.units.source]}` : name));
   };
   return [
     h('h2', { id: 'question' }, words.question.size),

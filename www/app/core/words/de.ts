@@ -412,8 +412,8 @@ export const de: Words = {
 
   table: {
     title: 'Schneidreihenfolge', rows: 'Zeilen der Schneidreihenfolge', close: 'Die Tabelle schließen', columns: ['Nr.', '', 'Layer', 'Länge', 'Beginnt', 'Einstich', 'Richtung'],
-    show: (n) => `Kontur ${n}, auf der Tafel zeigen`, move: (n) => `Kontur ${n} in der Reihenfolge verschieben: ziehen oder Pfeiltasten`, drag: 'Zeilen ziehen, um ihre Reihenfolge festzulegen', inside: 'Was in einer Kontur liegt, wird vor ihr geschnitten; dorthin lässt sie sich nicht verschieben.',
-    reversed: 'umgekehrt', asDrawn: 'wie gezeichnet', open: 'offen',
+    show: (n) => `Kontur ${n}, auf der Tafel zeigen`, move: (n) => `Kontur ${n} in der Reihenfolge verschieben: ziehen oder Pfeiltasten`, drag: 'Zum Festlegen Zeilen ziehen', inside: 'Was in einer Kontur liegt, wird vor ihr geschnitten; dorthin lässt sie sich nicht verschieben.',
+    reversed: 'umgekehrt', asDrawn: 'gezeichnet', open: 'offen',
   },
 
   stage: { bed: (size) => `Arbeitsbereich ${size}`, first: 'erste', last: 'letzte', common: 'von zwei Teilen geteilt', colours: 'Farben nach Reihenfolge (C)', layers: 'Farben der Layer wie gezeichnet (V)', air: 'Leerfahrten (A)', several: 'Mehrere auswählen: Klicks fügen hinzu, Ziehen zeichnet einen Rahmen (B)', measure: 'Zwischen zwei Punkten messen (D)', measuring: 'Klicken Sie zwei Punkte an: sie rasten an Enden und Mittelpunkten ein. Esc beendet das.', view: 'Ansicht', zoomIn: 'Vergrößern (+)', zoomOut: 'Verkleinern (−)', fit: 'Tafel einpassen (F)' },

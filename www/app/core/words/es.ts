@@ -413,7 +413,7 @@ export const es: Words = {
   table: {
     title: 'Orden de corte', rows: 'Filas del orden de corte', close: 'Cerrar la tabla', columns: ['N.º', '', 'Capa', 'Longitud', 'Empieza', 'Perforación', 'Sentido'],
     show: (n) => `Contorno ${n}, mostrar en la chapa`, move: (n) => `Mover el contorno ${n} en el orden: arrastre o use las flechas`, drag: 'Arrastre filas para fijar su orden', inside: 'Lo que está dentro de un contorno se corta antes que él, así que no se puede mover ahí.',
-    reversed: 'inverso', asDrawn: 'como está dibujado', open: 'abierto',
+    reversed: 'inverso', asDrawn: 'según dibujo', open: 'abierto',
   },
 
   stage: { bed: (size) => `mesa ${size}`, first: 'primero', last: 'último', common: 'compartido por dos piezas', colours: 'Color por orden (C)', layers: 'Colores de las capas como están dibujadas (V)', air: 'Movimientos en vacío (A)', several: 'Seleccionar varios: los clics añaden, arrastrar dibuja un recuadro (B)', measure: 'Medir entre dos puntos (D)', measuring: 'Haga clic en dos puntos: se ajustan a extremos y centros. Esc termina.', view: 'Vista', zoomIn: 'Acercar (+)', zoomOut: 'Alejar (−)', fit: 'Encajar la chapa (F)' },
