@@ -231,3 +231,23 @@ test('Escape leaves a field, so that the next key is a shortcut', async (t) => {
   await page.getByRole('table', { name: 'Cutting order' }).waitFor();
   assert.equal(await seed.inputValue(), '7');
 });
+
+test('the focus stays in the foot where the button that is pressed by keyboard goes', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=600' });
+  await phase(page, 'planning');
+  const focused = () => page.evaluate(() => document.activeElement.textContent);
+  const foot = page.locator('.dock');
+  // The next key after a tab is pressed where the focus is shown.
+  await page.keyboard.press('Tab');
+  await foot.getByRole('button', { name: 'Stop' }).press('Enter');
+  await phase(page, 'done');
+  assert.equal(await focused(), 'Keep improving');
+  await page.keyboard.press('Enter');
+  await phase(page, 'planning');
+  assert.equal(await focused(), 'Stop');
+  // After a click, Space plays.
+  await page.evaluate(() => document.activeElement.blur());
+  await foot.getByRole('button', { name: 'Stop' }).click();
+  await phase(page, 'done');
+  assert.equal(await page.evaluate(() => document.activeElement === document.body), true);
+});

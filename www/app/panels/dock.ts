@@ -43,6 +43,8 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
   const show = (state: State) => {
     const { phase, progress } = state;
     const running = phase === 'planning' || phase === 'paused';
+    // Of somebody who presses buttons by keyboard. After a click, the next key is a shortcut.
+    const pressed = root.querySelector<HTMLElement>('.dock-actions button:focus-visible');
     stop.hidden = !running;
     pause.hidden = phase !== 'planning';
     resume.hidden = phase !== 'paused';
@@ -57,6 +59,7 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
     undo.hidden = phase !== 'ready' || state.error === null || !session.canUndo;
     open.hidden = phase !== 'failed' && (phase !== 'ready' || !undo.hidden);
     const busy = phase === 'starting' || phase === 'reading' || state.applying;
+    if (pressed?.hidden) root.querySelector<HTMLElement>('.dock-actions button:not([hidden])')?.focus();
     bar.hidden = !running && !busy;
     bar.classList.toggle('busy', busy);
     root.dataset.phase = phase;
