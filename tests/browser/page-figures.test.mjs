@@ -42,7 +42,7 @@ test('the check of the program counts outlines, which may be fewer than the part
   assert.match(await sectionText(page, 'Drawing', /parts/), /6 parts/);
   const check = page.locator('.preflight');
   await check.getByText('closed outlines').waitFor();
-  assert.match(await check.textContent(), /5 closed outlines · 9 contours, each cut once/);
+  assert.match(await check.textContent(), /5 closed outlines\s· 9 contours, each cut once/);
   assert.doesNotMatch(await check.textContent(), /parts/);
 });
 

@@ -174,7 +174,7 @@ test('the card of a contour leaves the sheet of a small phone in sight, and its 
   await still(page);
   await picture(page, 'card-small-de');
   const [ink, card] = [await page.evaluate(inked), await page.locator('.card.contour').boundingBox()];
-  assert.ok(ink.bottom < card.y && ink.bottom - ink.top > 70, `${JSON.stringify(ink)} is free of ${JSON.stringify(card)}`);
+  assert.ok(ink.bottom < card.y && ink.bottom - ink.top > 40, `${JSON.stringify(ink)} is free of ${JSON.stringify(card)}`);
   const tops = await page.locator('.contour-rules > button').evaluateAll((all) => all.map((b) => b.getBoundingClientRect().top));
   assert.deepEqual([tops.length, new Set(tops).size], [4, 1]);
 });
