@@ -280,6 +280,6 @@ it('one thing is said as one', async () => {
   assert.deepEqual(said(3), [
     ['3 moves', '3 other kinds of parts', '3 contours instead of 9'],
     ['3 Züge', '3 weitere Arten von Teilen', '3 Konturen statt 9'],
-    ['3 movimientos', '3 tipos de piezas más', '3 contornos en vez de 9'],
+    ['3 pasos', '3 tipos de piezas más', '3 contornos en vez de 9'],
   ]);
 });

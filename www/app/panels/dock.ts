@@ -44,7 +44,7 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
     const { phase, progress } = state;
     const running = phase === 'planning' || phase === 'paused';
     // Of somebody who presses buttons by keyboard. After a click, the next key is a shortcut.
-    const pressed = root.querySelector<HTMLElement>('.dock-actions button:focus-visible');
+    const pressed = [stop, pause, resume, more].find((b) => b.matches(':focus-visible'));
     stop.hidden = !running;
     pause.hidden = phase !== 'planning';
     resume.hidden = phase !== 'paused';
