@@ -116,6 +116,11 @@ impl<'s> Groups<'s> {
         self.holds(a) && self.of.get(a as usize) == self.of.get(b as usize)
     }
 
+    /// Whether a contour is cut in one pass.
+    pub(super) fn is_cut_once(&self, contour: u32, machine: &Profile) -> bool {
+        self.sheet.process_by_id(contour, machine).passes == 1
+    }
+
     /// Follows a pre-cut. Returns whether an uncut element of the contour begins where the head is.
     pub(super) fn pre_cut(&mut self, contour: u32, head: DVec2, ahead: &[Segment]) -> bool {
         let Some(work) = self.of.get(contour as usize).copied().flatten().and_then(|g| self.work.get_mut(g))

@@ -71,6 +71,19 @@ fn every_kind_of_machine_connects_parts_in_plans_that_pass() {
     }
 }
 
+/// The second pass of a cut through a bridge begins where the first one ends, with the beam off in between, and runs back.
+#[test]
+fn passes_over_cuts_through_bridges_turn_in_no_sharp_corner() {
+    let mut machine = with(
+        &bridging(3.0, 10.0),
+        &json!({ "pierce_time": 10.0, "levers": { "bridges": { "cut_later": true } } }),
+    );
+    machine.cut.passes = 2;
+    let machine = with(&machine, &json!({ "sharp_corner": { "angle": 1.2, "time": 0.2 } }));
+    let job = started(&nest(2, 1, p(60.0, 40.0), 8.0), machine, &LoadOptions::default(), 1_000);
+    assert_eq!(job.plan().unwrap().summary.bridges, 1);
+}
+
 #[test]
 fn layers_have_bridges_and_parts_one_by_one_do_not() {
     let drawing = nest_with_holes(3, 1);
