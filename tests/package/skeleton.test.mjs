@@ -90,7 +90,7 @@ describe('skeleton cuts', () => {
 
   it('are refused with a sentence where they cannot be', async () => {
     const start = (skeleton, drawing = DRAWING) => planned({ ...thin, bed: null, skeleton }, drawing);
-    await assert.rejects(start(GRID, dxf(circle(0, 0, 30))), /the size of the sheet is not known\. Draw its outline as a closed line on a layer that is ignored, or give the machine's bed\./);
+    await assert.rejects(start(GRID, dxf(circle(0, 0, 30))), /the size of the sheet is not known\. Draw its outline as a closed line on a layer that is ignored, or give the machine's bed and a program in machine coordinates\./);
     await assert.rejects(start({ spacing_x: 5 }), /skeleton\.spacing_x/);
     await assert.rejects(start({ spacing: 100 }), /skeleton\.spacing/);
     await assert.rejects(start({ clearance: 0 }), /skeleton\.clearance/);

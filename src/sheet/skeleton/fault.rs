@@ -8,7 +8,7 @@ pub(super) const MOST: u32 = 1000;
 pub(crate) enum SkeletonFault {
     /// Nothing says how large the sheet is.
     #[error(
-        "the size of the sheet is not known. Draw its outline as a closed line on a layer that is ignored, or give the machine's bed"
+        "the size of the sheet is not known. Draw its outline as a closed line on a layer that is ignored, or give the machine's bed and a program in machine coordinates"
     )]
     NoSheet,
     /// Parts lie on the edge of the sheet or beyond it.

@@ -132,7 +132,7 @@ fn the_bed_is_the_sheet_if_no_outline_is_drawn() {
     for (bed, sentence) in [
         (
             None,
-            "Skeleton cuts are not possible: the size of the sheet is not known. Draw its outline as a closed line on a layer that is ignored, or give the machine's bed.",
+            "Skeleton cuts are not possible: the size of the sheet is not known. Draw its outline as a closed line on a layer that is ignored, or give the machine's bed and a program in machine coordinates.",
         ),
         (
             Some([0.0, 0.0, 170.0, 300.0]),
