@@ -16,7 +16,7 @@ use crate::testkit::leads::{leads, oriented, with_leads};
 use crate::testkit::sheets::{Builder, circle, line, machine, p, polygon, rectangle};
 use kerfway::geometry::Segment;
 use kerfway::machine::dialect::{DialectChoice, dialects};
-use kerfway::machine::{Chains, LeadKind, Levers, Profile, Start, cut_time};
+use kerfway::machine::{Chains, LeadKind, Levers, Process, Profile, Start, cut_time};
 use kerfway::output::{self, SheetFacts};
 use kerfway::plan::{Move, Plan};
 use kerfway::sheet::Sheet;
@@ -204,6 +204,16 @@ fn every_dialect_keeps_the_beam_on() {
     assert!((lit - 344.0).abs() < 0.01, "{lit}");
     let runs: Vec<bool> = program.motions().map(|m| m.beam > 0.0).collect();
     assert_eq!(runs.windows(2).filter(|w| w[0] && !w[1]).count(), 1);
+}
+
+/// A chain is charged from rest to rest. Where corners do not slow the head down, the program runs through its ends.
+#[test]
+fn programs_without_stops_at_chains_pass_their_check() {
+    let quick = chaining(30.0, 1.0);
+    let cut = Process { speed: 400.0, accel: Some(2000.0), ..quick.cut };
+    let machine = Profile { cut, junction_deviation: None, ..quick };
+    let planned = |machine: &Profile| searched(squares(2, 2, 8.0), machine);
+    read_back(&machine, planned, 4, |dialect, plan, _| assert_eq!(plan.summary.chains, 3, "{dialect}"));
 }
 
 #[test]

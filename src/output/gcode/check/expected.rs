@@ -31,6 +31,8 @@ pub(super) struct Expected {
     pub(super) seconds: Option<f64>,
     /// Seconds among them that are charged for pre-cuts.
     pub(super) pre_cut_seconds: Option<f64>,
+    /// Number of cuts through waste.
+    pub(super) chains: u32,
     /// How exactly lengths are given, mm.
     pub(super) precision: f64,
 }
@@ -66,6 +68,7 @@ impl Expected {
             // What is cut in advance takes its own time, and the plan charges a time of the profile instead.
             seconds: (ahead <= 0.0).then_some(sums.total_time),
             pre_cut_seconds: Some(sums.pre_cut_time),
+            chains: sums.chains,
             precision: 0.0,
         }
     }
@@ -83,6 +86,7 @@ impl Expected {
                 e.dark_length += numbers.last().unwrap_or(&0.0);
                 continue;
             }
+            e.chains += u32::from(WASTE.iter().any(|waste| comment.starts_with(waste)));
             match (words(comment).as_slice(), numbers.as_slice()) {
                 (["contours", "pierces"], &[contours, pierces]) => {
                     (e.contours, e.pierces) = (Some(count(contours)), Some(count(pierces)));
@@ -108,6 +112,9 @@ impl Expected {
 
 /// How the comments at a flying joint and between two cuts on the run begin.
 const DARK: [&str; 2] = ["flying joint ", "on the run: "];
+
+/// How the comments at a cut through waste begin: after a cut, and after a move with the beam off.
+const WASTE: [&str; 2] = ["through waste for ", "from a kerf or an edge through waste for "];
 
 /// Number of cuts of a plan, those ahead of a pre-cut included.
 fn count_of(plan: &Plan) -> u32 {

@@ -63,6 +63,8 @@ pub(super) struct Figures {
     pub(super) dark_length: f64,
     air_length: f64,
     pub(super) seconds: f64,
+    /// Speed of the fastest motion that is no mark, mm/s.
+    pub(super) top_speed: f64,
     pub(super) bounds: Aabb,
     pub(super) fits_bed: Option<bool>,
     dark_rapids: bool,
@@ -77,10 +79,11 @@ const BED_SLACK: f64 = 0.01;
 pub(super) fn figures(program: &Program, cuts: &[Cut], profile: &Profile) -> Figures {
     let mut reach = Aabb::EMPTY;
     let (mut air_length, mut dark_length, mut pierces, mut dark_rapids) = (0.0, 0.0, 0, true);
-    let mut first = true;
+    let (mut first, mut marks, mut top_speed) = (true, false, 0.0_f64);
     for event in &program.events {
         match event {
-            Event::Move { rapid, path, power, .. } => {
+            Event::Move { rapid, path, power, feed, .. } => {
+                top_speed = top_speed.max(if *rapid || marks { 0.0 } else { *feed });
                 // Where the head comes from is not known.
                 reach = if first { reach.with(path.end()) } else { reach.union(path.bounds()) };
                 air_length += if *rapid && !first { path.length() } else { 0.0 };
@@ -90,7 +93,7 @@ pub(super) fn figures(program: &Program, cuts: &[Cut], profile: &Profile) -> Fig
             }
             Event::Height { power, .. } => dark_rapids &= power.lit <= 0.0,
             Event::Dwell { seconds, power, .. } => pierces += u32::from(*seconds > 0.0 && power.lit > 0.0),
-            Event::Contour { .. } => {}
+            Event::Contour { mark } => marks = *mark,
         }
     }
     Figures {
@@ -105,6 +108,7 @@ pub(super) fn figures(program: &Program, cuts: &[Cut], profile: &Profile) -> Fig
         dark_length,
         air_length,
         seconds: seconds(program, profile),
+        top_speed,
         bounds: cuts.iter().flat_map(|c| &c.path).fold(Aabb::EMPTY, |b, s| b.union(s.bounds())),
         fits_bed: fits(&reach, profile),
         dark_rapids,
