@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { grid, sample } from './page-drawings.mjs';
 import { changedFrom, shot, still } from './page-pictures.mjs';
-import { drop, openPage, phase, planned, SIZES, tap } from './page-support.mjs';
+import { drop, openPage, phase, planned, replanned, SIZES, tap } from './page-support.mjs';
 
 test('the frame of the page is visible before its script runs', async (t) => {
   const { page, url } = await openPage(t);
@@ -132,12 +132,11 @@ test('from opening a file to its program by keyboard alone', async (t) => {
   await chooser.setFiles({ name: 'keys.dxf', mimeType: 'image/vnd.dxf', buffer: grid(30) });
   await planned(page, 'keys.dxf', 'done');
   await page.keyboard.press('Home');
-  const before = await page.evaluate(() => window.plansBegun);
-  await page.keyboard.press('l');
-  await page.keyboard.press('0');
+  await replanned(page, async () => {
+    await page.keyboard.press('l');
+    await page.keyboard.press('0');
+  });
   await page.waitForFunction(() => /^Cut last: /.test(document.querySelector('.pins')?.textContent ?? ''));
-  // The choice is shown before it is planned.
-  await page.waitForFunction((before) => window.plansBegun > before && document.body.dataset.phase === 'done', before);
   const [file] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('g')]);
   assert.match(file.suggestedFilename(), /^keys-co2-100w-.*\.nc$/);
 });
