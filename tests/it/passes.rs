@@ -4,7 +4,7 @@
 use crate::testkit::gcode;
 use kerfway::finding::Code;
 use kerfway::job::{Job, JobError, LayerChoice, LoadOptions, MachineChoice, OutputKind, PlanOptions};
-use kerfway::machine::{Axes, MaterialSetting, Process, Profile, Settings, preset};
+use kerfway::machine::{Axes, MaterialSetting, Process, Profile, Settings, Start, preset};
 use kerfway::plan::document::Document;
 use kerfway::plan::{self, Move, Plan, Violation};
 use kerfway::quote::{Material, Terms};
@@ -255,6 +255,20 @@ fn the_head_is_lowered_for_each_pass_and_raised_before_it_moves_on() {
             "The passes on layer CUT lower the head, but the machine co2-100w has no \"z_speed\"."
         )
     );
+}
+
+/// From where the head stands, each height is written as seen from the one before, and the head comes back to where it was.
+#[test]
+fn the_rounding_of_relative_heights_does_not_add_up() {
+    let layers = vec![layer("CUT", |l| (l.passes, l.z_step) = (Some(4), Some(1.0 / 3.0)))];
+    let load = LoadOptions { layers, ..LoadOptions::default() };
+    let mut job = Job::load(drawing(), "job.dxf", &load).unwrap();
+    job.start(&PlanOptions { start: Start::Current, ..options(machine()) }).unwrap();
+    job.run_mut().unwrap().step(20_000);
+    let text = job.output(OutputKind::Gcode).unwrap();
+    let words = text.lines().filter_map(|l| l.split(';').next()).flat_map(str::split_whitespace);
+    let heights: Vec<&str> = words.filter_map(|word| word.strip_prefix('Z')).collect();
+    assert_eq!(heights, ["-0.333", "-0.334", "-0.333", "1"], "{text}");
 }
 
 #[test]

@@ -59,6 +59,7 @@ pub(super) struct Pen<'d> {
     power_in_force: String,
     /// A wait that the controller can make dark only after its next motion, s.
     owed: f64,
+    /// Rounded height of the head, in units of the file.
     z: f64,
     air: bool,
 }

@@ -3,7 +3,7 @@
 use super::Pen;
 use crate::geometry::DVec2;
 use crate::machine::Lift;
-use crate::number::{Fixed, fixed};
+use crate::number::fixed;
 use std::fmt::Write as _;
 
 impl Pen<'_> {
@@ -64,17 +64,22 @@ impl Pen<'_> {
 
     /// Moves to a height with the beam off, like every rapid.
     pub(in crate::output::gcode) fn lower_to(&mut self, z: f64) {
-        if (self.z - z).abs() >= self.half_grid() {
+        if (self.z - self.rounded_height(z)).abs() >= self.half_grid() {
             self.leg(self.at, Some(z));
         }
     }
 
-    /// The Z word of the next height, which is then the head's.
+    /// The Z word of the next height, which is then the head's. Like places, heights are rounded before their differences.
     fn z_word(&mut self, z: f64) -> String {
-        let place = if self.start.is_absolute() { z } else { z - self.z };
-        let height: Fixed = fixed(place / self.dialect.units.mm(), self.dialect.decimals.xy as usize);
-        self.z = z;
-        format!(" Z{height}")
+        let height = self.rounded_height(z);
+        let word = if self.start.is_absolute() { height } else { height - self.z };
+        self.z = height;
+        format!(" Z{}", fixed(word, self.dialect.decimals.xy as usize))
+    }
+
+    /// A height in mm, rounded in units of the file.
+    fn rounded_height(&self, z: f64) -> f64 {
+        (z / self.dialect.units.mm() * self.grid).round() / self.grid
     }
 
     fn rapid_line(&mut self, to: DVec2, height: &str) -> String {
