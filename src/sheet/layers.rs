@@ -3,7 +3,6 @@
 //! Everything is cut unless the person chooses otherwise. Only Defpoints is ignored by default, because no CAD program
 //! plots it. Names are compared without case, as DXF does. What a name suggests is reported as a finding and changes
 //! nothing.
-//! itself. Names are compared without regard to case, as DXF does. What a name suggests is a finding, not a deed.
 
 use super::findings::{count, plural};
 use super::layer_names;

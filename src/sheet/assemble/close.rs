@@ -5,7 +5,6 @@
 //! the middle of the gap, so the result does not depend on the direction of travel; a line meets an arc at the arc's
 //! end. If neither line is long enough to move without turning visibly, a short line bridges the gap, and nothing that
 //! was drawn moves. Ends that differ only by rounding are made equal.
-//! drawn moves. Ends within rounding are simply made the same.
 
 use crate::geometry::{Arc, DVec2, Segment};
 use crate::sheet::element::{ROUNDING, with_end, with_start};

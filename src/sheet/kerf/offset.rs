@@ -32,7 +32,6 @@ const MIN_LENGTH: f64 = 0.01;
 /// # Errors
 /// A place where the outline cannot be offset: it vanishes, falls into several pieces or turns over, or an element of
 /// it is so far from the offset that the beam would miss what was drawn.
-/// all of the offset that the beam leaves out what was drawn.
 pub(super) fn offset(outline: &Path, by: f64, free: impl Fn(&Segment) -> bool) -> Result<Path, DVec2> {
     let start = outline.start().unwrap_or_default();
     let drawn = BoxIndex::new(outline.segments.iter().map(Segment::bounds));
