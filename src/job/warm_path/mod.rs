@@ -116,6 +116,10 @@ struct Group<'p> {
 impl<'p> Group<'p> {
     /// The group of an item; `None` if it is no group, or if the visits take none of its paths.
     fn new(item: &'p Item, visits: &[Visit]) -> Option<Self> {
+        // Most items are no groups. Going through all visits for each of them would be quadratic.
+        if item.paths.is_empty() {
+            return None;
+        }
         let contours: FxHashSet<u32> =
             item.paths.iter().flat_map(SubPath::spans).map(|s| s.contour).collect();
         let own: Vec<&Visit> = visits.iter().filter(|v| contours.contains(&v.contour)).collect();
