@@ -15,9 +15,14 @@ pub(crate) fn lower(c: char) -> char {
     char::from_u32(small).unwrap_or(c)
 }
 
+/// Whether two names are the same but for case.
+pub(crate) fn same_letters(a: &str, b: &str) -> bool {
+    a.chars().map(lower).eq(b.chars().map(lower))
+}
+
 /// Whether two names are the same but for case and spaces at their ends.
 pub(crate) fn same_name(a: &str, b: &str) -> bool {
-    a.trim().chars().map(lower).eq(b.trim().chars().map(lower))
+    same_letters(a.trim(), b.trim())
 }
 
 #[cfg(test)]
@@ -40,6 +45,7 @@ mod tests {
         {
             assert!(same_name(a, b), "{a} {b}");
         }
+        assert!(same_letters("Größe", "GRÖßE") && !same_letters("a", " a"));
         assert!(!same_name("steel", "steel 2"));
     }
 }

@@ -11,6 +11,7 @@ use super::profile::Profile;
 use super::settings::Settings;
 use super::skeleton::Skeleton;
 use crate::fields::{Fault, Field, FieldError, Kind, Range, Shape, Shaped, out_of_range};
+use crate::letters::same_name;
 use std::f64::consts::PI;
 
 /// The only version of the data so far; later code will convert older versions on reading.
@@ -339,7 +340,7 @@ impl Profile {
             if name.is_empty() {
                 return Err(ProfileError::Materials("one has no name.".to_owned()));
             }
-            if self.materials.iter().take(index).any(|m| m.name.trim().eq_ignore_ascii_case(name)) {
+            if self.materials.iter().take(index).any(|m| same_name(&m.name, name)) {
                 return Err(ProfileError::Materials(format!("two are named \"{name}\".")));
             }
             if let Ok(with) = self.clone().with_material(name) {

@@ -11,29 +11,28 @@ use super::source::Line;
 use crate::drawing::Drawing;
 use crate::fields::nearest;
 use crate::finding::{Code, Finding, Findings, Severity};
-use crate::letters::lower;
+use crate::letters::same_letters;
 use crate::machine::Settings;
 
 /// The layers of a drawing with their operations, at the same indices. The contours on them are counted later.
 pub(super) fn layers(drawing: &Drawing, options: &SheetOptions, findings: &mut Findings) -> Vec<LayerUse> {
-    let given: Vec<(String, Operation)> = options.layers.iter().map(|(n, o)| (key(n), *o)).collect();
     let mut shapes = vec![0_usize; drawing.layers.len()];
     for s in &drawing.shapes {
         if let Some(n) = shapes.get_mut(s.layer as usize) {
             *n += 1;
         }
     }
-    for (given, (name, _)) in given.iter().zip(&options.layers) {
-        if !drawing.layers.iter().any(|l| key(&l.name) == given.0) {
+    for (name, _) in &options.layers {
+        if !drawing.layers.iter().any(|l| same_letters(&l.name, name)) {
             findings.push(unknown(name, drawing));
         }
     }
-    let place = |name: &str| given.iter().rposition(|(n, _)| *n == key(name));
+    let place = |name: &str| options.layers.iter().rposition(|(n, _)| same_letters(n, name));
     let mut out = Vec::with_capacity(drawing.layers.len());
     for (index, layer) in (0_u32..).zip(&drawing.layers) {
         let asked = place(&layer.name);
-        let never_plotted = key(&layer.name) == "defpoints";
-        let operation = match asked.and_then(|i| given.get(i)) {
+        let never_plotted = same_letters(&layer.name, "defpoints");
+        let operation = match asked.and_then(|i| options.layers.get(i)) {
             Some((_, operation)) => *operation,
             None if never_plotted => Operation::Ignore,
             None => Operation::Cut,
@@ -44,13 +43,13 @@ pub(super) fn layers(drawing: &Drawing, options: &SheetOptions, findings: &mut F
             findings.push(suggested(&layer.name, s, used));
         }
         let rank = if options.order_by_layer {
-            asked.map_or(count(given.len()).saturating_add(index), count)
+            asked.map_or(count(options.layers.len()).saturating_add(index), count)
         } else {
             u32::from(operation == Operation::Cut)
         };
         let (name, color) = (layer.name.clone(), layer.color);
-        let settings =
-            options.settings.iter().rev().find(|(n, _)| key(n) == key(&name)).map_or(Settings::NONE, |s| s.1);
+        let mut settings = options.settings.iter().rev();
+        let settings = settings.find(|(n, _)| same_letters(n, &name)).map_or(Settings::NONE, |s| s.1);
         out.push(LayerUse { name, color, operation, suggestion, settings, rank, contours: 0 });
     }
     out
@@ -109,8 +108,4 @@ pub(super) fn lines_of<'d>(drawing: &'d Drawing, layers: &[LayerUse], operation:
         .filter(|(_, s)| of(s.layer) == operation)
         .map(|(index, s)| Line { index, layer: s.layer, path: &s.path })
         .collect()
-}
-
-fn key(name: &str) -> String {
-    name.chars().map(lower).collect()
 }

@@ -108,6 +108,12 @@ fn a_material_changes_the_seconds_as_computed_by_hand() {
         planned(Some("oak")).err().unwrap().to_string(),
         "The machine co2-100w has no setting for the material \"oak\". It has: 4 mm ply, Card."
     );
+    // Names are the same as in the search for a material, beyond ASCII too: otherwise the second one could not be chosen.
+    let twice = vec![setting("Möbelplatte", 8.0), setting("MÖBELPLATTE ", 9.0)];
+    assert_eq!(
+        Profile { materials: twice, ..machine.clone() }.validate().err().unwrap().to_string(),
+        "The machine's materials: two are named \"MÖBELPLATTE\". Give each a name of its own."
+    );
     // A quote for another material than was planned is refused instead of priced with the wrong speed.
     let quote = |job: &Job, name: &str| {
         job.quote(&Material { name: Some(name.into()), ..Material::default() }.into())
@@ -307,6 +313,21 @@ fn plans_with_wrong_passes_fail_their_check() {
         });
         assert!(low.iter().any(|v| matches!(v, Violation::Height { .. })), "{order:?}: {low:?}");
     }
+}
+
+/// The sheet found the settings, but the document, and with it the seconds of a quote, did not.
+#[test]
+fn the_settings_of_a_layer_are_found_in_the_document_without_case_beyond_ascii_too() {
+    let bytes = String::from_utf8(drawing()).unwrap().replace("8\nINNER\n", "8\nÄtzung\n");
+    let layers = vec![layer("ÄTZUNG", |l| l.speed = Some(4.0))];
+    let load = LoadOptions { layers, ..LoadOptions::default() };
+    let mut job = Job::load(bytes.into_bytes(), "job.dxf", &load).unwrap();
+    job.start(&options(machine())).unwrap();
+    job.run_mut().unwrap().step(20_000);
+    let written = document(&job);
+    let inner = (0..).zip(&written.contours).find(|(_, c)| c.layer == "Ätzung").unwrap().0;
+    assert_eq!(written.process_by_id(Some(inner)).speed, 4.0);
+    near(job.plan().unwrap().summary.cut_time, (400.0 + 50.0) / 10.0 + 80.0 / 4.0);
 }
 
 #[test]

@@ -5,6 +5,7 @@ use super::contour::Contour;
 use super::moves::Move;
 use crate::drawing::{ReadOptions, Unit, UnitsSource};
 use crate::finding::Finding;
+use crate::letters::same_letters;
 use crate::machine::{Process, Profile, Settings, Start};
 use crate::sheet::{CommonCuts, ContourChoice, Group, HandJoint, Operation, PassOrder, SheetOptions, Strip};
 use serde::{Deserialize, Serialize};
@@ -198,7 +199,7 @@ impl Document {
             return self.machine.cut;
         };
         let process = self.machine.process(contour.operation == Operation::Mark);
-        let named = |l: &&LayerOperation| l.name.eq_ignore_ascii_case(&contour.layer);
+        let named = |l: &&LayerOperation| same_letters(&l.name, &contour.layer);
         self.options.layers.iter().rev().find(named).map_or(*process, |l| l.settings.over(process))
     }
 
