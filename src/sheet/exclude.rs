@@ -12,6 +12,7 @@ const SAMPLES_PER_SIDE: u32 = 16;
 /// Excludes the contours with these ids, and withdraws the findings about each of them alone. Elements within
 /// `tolerance` mm of each other lie on top of each other.
 pub(super) fn exclude(contours: &mut [Contour], ids: &[u32], tolerance: f64, findings: &mut Findings) {
+    let rests = rests(contours);
     let mut left = 0;
     let mut at = DVec2::ZERO;
     for &id in ids {
@@ -22,7 +23,7 @@ pub(super) fn exclude(contours: &mut [Contour], ids: &[u32], tolerance: f64, fin
         at = path.start().unwrap_or(at);
         left += 1;
         findings.withdraw(|f| f.at == Some(at) && f.code == Code::SeveralLayers);
-        restore_outlines(contours, &path, (operation, shape), tolerance);
+        restore_outlines(contours, &rests, &path, (operation, shape), tolerance);
         contours[id as usize].path = path;
     }
     if left > 0 {
@@ -35,21 +36,33 @@ pub(super) fn exclude(contours: &mut [Contour], ids: &[u32], tolerance: f64, fin
 /// Marks the contours with these ids instead of cutting them. Like excluded ones they contain nothing, and the sides they
 /// share are cut with the other contour.
 pub(super) fn mark(contours: &mut [Contour], ids: &[u32], tolerance: f64) {
+    let rests = rests(contours);
     for &id in ids {
         let Some(c) = contours.get_mut(id as usize).filter(|c| c.operation == Operation::Cut) else {
             continue;
         };
         c.operation = Operation::Mark;
         let (path, shape) = (std::mem::take(&mut c.path), c.rest_of);
-        restore_outlines(contours, &path, (Operation::Cut, shape), tolerance);
+        restore_outlines(contours, &rests, &path, (Operation::Cut, shape), tolerance);
         contours[id as usize].path = path;
     }
 }
 
+/// The indices of the contours that are what is left of an outline that shared sides with others.
+fn rests(contours: &[Contour]) -> Vec<usize> {
+    (0..contours.len()).filter(|&i| contours[i].rest_of.is_some()).collect()
+}
+
 /// Restores the outlines of contours that shared a side with the excluded one, because nothing else cuts that side now.
 /// A side that they share with a third contour is then cut with both.
-fn restore_outlines(contours: &mut [Contour], gone: &Path, of: (Operation, Option<u32>), tolerance: f64) {
-    for i in 0..contours.len() {
+fn restore_outlines(
+    contours: &mut [Contour],
+    rests: &[usize],
+    gone: &Path,
+    of: (Operation, Option<u32>),
+    tolerance: f64,
+) {
+    for &i in rests {
         let c = &mut contours[i];
         let shape = c.rest_of;
         // The parts of one shape restore nothing to each other.
@@ -59,10 +72,11 @@ fn restore_outlines(contours: &mut [Contour], gone: &Path, of: (Operation, Optio
         let Some(whole) = c.outline.take_if(|outline| shares(outline, gone, tolerance)) else { continue };
         (c.length, c.bounds, c.path, c.rest_of) = (whole.length(), whole.bounds(), whole, None);
         // The other rests of the same shape become part of the restored outline.
-        for rest in
-            contours.iter_mut().filter(|r| r.rest_of == shape && r.operation == of.0 && !r.path.closed)
-        {
-            rest.operation = Operation::Ignore;
+        for &k in rests {
+            let rest = &mut contours[k];
+            if rest.rest_of == shape && rest.operation == of.0 && !rest.path.closed {
+                rest.operation = Operation::Ignore;
+            }
         }
     }
 }
