@@ -142,6 +142,12 @@ fn cut_once(sheet: &mut Sheet, moved: &[Option<Path>], [copy, join]: [f64; 2], f
         let place = if a.path.closed || a.outline.is_some() { 0 } else { of.len() };
         of.insert(place, (a.path, a.outline));
     }
+    let mut part_of = vec![None; sheet.contours.len()];
+    for (k, part) in sheet.parts.iter().enumerate() {
+        for &contour in part.holes.iter().chain([&part.outer]) {
+            part_of[contour as usize] = Some(k);
+        }
+    }
     let before: f64 = moved.iter().map(|line| line.path.length()).sum();
     let mut after = 0.0;
     let mut at = None;
@@ -166,7 +172,7 @@ fn cut_once(sheet: &mut Sheet, moved: &[Option<Path>], [copy, join]: [f64; 2], f
             let mut rest = rest.clone();
             set(&mut rest, path, outline);
             after += rest.length;
-            let part = sheet.parts.iter_mut().find(|p| p.outer == id || p.holes.contains(&id));
+            let part = part_of[id as usize].and_then(|k| sheet.parts.get_mut(k));
             if let (Some(part), Ok(new)) = (part, u32::try_from(sheet.contours.len())) {
                 part.holes.push(new);
             }

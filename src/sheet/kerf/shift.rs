@@ -200,11 +200,18 @@ impl Sheet {
     pub(crate) fn shifted(&self, shifts: &[Shift]) -> Self {
         let mut sheet = self.clone();
         let up = |c: &u32| self.contours.get(*c as usize).and_then(|c| c.inside).filter(|o| o != c);
+        let mut by = vec![None; self.contours.len()];
+        for shift in shifts {
+            if let Some(by) = by.get_mut(shift.contour as usize) {
+                *by = Some(shift.by);
+            }
+        }
         for (id, contour) in (0..).zip(&mut sheet.contours) {
             let around = std::iter::successors(Some(id), up).take(self.contours.len());
-            let shift = around.last().and_then(|root| shifts.iter().find(|s| s.contour == root));
-            let Some(shift) = shift else { continue };
-            let moved = Affine::translation(shift.by);
+            let Some(by) = around.last().and_then(|root| by.get(root as usize).copied().flatten()) else {
+                continue;
+            };
+            let moved = Affine::translation(by);
             contour.path = moved.path(&contour.path, 0.0);
             contour.outline = contour.outline.as_ref().map(|o| moved.path(o, 0.0));
             contour.bounds = contour.path.bounds();
