@@ -21,6 +21,11 @@ impl Sheet {
         self.contours.get(contour as usize).map_or(machine.cut, |c| self.process_of(c, machine))
     }
 
+    /// Whether a contour is cut in one pass, by its id.
+    pub(crate) fn is_cut_once(&self, contour: u32, machine: &Profile) -> bool {
+        self.process_by_id(contour, machine).passes == 1
+    }
+
     /// How often a contour is run before the head goes on.
     pub fn passes_at_once(&self, contour: &Contour, machine: &Profile) -> u32 {
         if self.pass_order.is_by_contour() { self.process_of(contour, machine).passes } else { 1 }

@@ -63,7 +63,7 @@ fn cut_alone(sheet: &Sheet, plan: &Plan) -> Vec<bool> {
 
 /// The pierce groups of a sheet and their states.
 pub(super) struct Groups<'s> {
-    sheet: &'s Sheet,
+    pub(super) sheet: &'s Sheet,
     pre_cuts: bool,
     work: Vec<Work<'s>>,
     /// For each contour, its group.
@@ -114,11 +114,6 @@ impl<'s> Groups<'s> {
     /// Whether two contours belong to the same group.
     pub(super) fn same(&self, a: u32, b: u32) -> bool {
         self.holds(a) && self.of.get(a as usize) == self.of.get(b as usize)
-    }
-
-    /// Whether a contour is cut in one pass.
-    pub(super) fn is_cut_once(&self, contour: u32, machine: &Profile) -> bool {
-        self.sheet.process_by_id(contour, machine).passes == 1
     }
 
     /// Follows a pre-cut. Returns whether an uncut element of the contour begins where the head is.

@@ -44,9 +44,10 @@ pub(super) fn joined<'p>(
                 let corner = match (out.last().map(|o| o.1.as_ref()), path.first()) {
                     (Some(before @ Move::Cut { path, mark: false, .. }), Some(next)) => {
                         // Otherwise the beam goes off between them, as it does between two passes of a cut that is not pierced.
-                        let is_on = |next| pause.is_some() || groups.is_cut_once(next, machine);
                         path.last().zip(Some(next)).filter(|_| {
-                            !PLANS_ALL_LEVERS || goes_on(before, *contour, groups) && is_on(*contour)
+                            !PLANS_ALL_LEVERS
+                                || goes_on(before, *contour, groups)
+                                    && (pause.is_some() || groups.sheet.is_cut_once(*contour, machine))
                         })
                     }
                     _ => None,

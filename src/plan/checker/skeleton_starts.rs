@@ -26,13 +26,12 @@ impl SkeletonStarts {
             return all;
         }
         let is_skeleton = |c: u32| sheet.contours.get(c as usize).is_some_and(|c| c.skeleton);
-        let once = |c: u32| sheet.process_by_id(c, machine).passes == 1;
         let kerfs = Kerfs::new(plan, is_skeleton);
         let edge = edge_of(sheet).unwrap_or_default();
         let mut cuts: Vec<(u32, Vec<usize>)> = Vec::new();
         for (step, m) in plan.moves.iter().enumerate() {
             let Move::Cut { contour, path, .. } = m else { continue };
-            if !is_skeleton(*contour) || !once(*contour) {
+            if !is_skeleton(*contour) || !sheet.is_cut_once(*contour, machine) {
                 continue;
             }
             match cuts.iter_mut().find(|c| c.0 == *contour) {
