@@ -29,6 +29,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         lever,
     });
     let kerfs = Kerfs::new(plan, |_| true);
+    let edge = edge_of(sheet).unwrap_or_default();
     for (step, m) in plan.moves.iter().enumerate() {
         let Move::Chain { path } = m else { continue };
         let before = step.checked_sub(1).and_then(|k| plan.moves.get(k));
@@ -51,7 +52,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         if !room.lever.edge_starts {
             fault("begins on a kerf, which the machine does not", at);
         }
-        if edge_of(sheet).is_some_and(|edge| edge.iter().any(|s| s.nearest(at).1.sqrt() <= SAME)) {
+        if edge.iter().any(|s| s.nearest(at).1.sqrt() <= SAME) {
             if let Some((what, at)) = room.fault_from_edge(*contour, path, at) {
                 fault(what, at);
             }

@@ -7,6 +7,7 @@ use super::sums::{air_time, is_lifted};
 use super::violation::Violation;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Segment};
 use crate::machine::{Profile, cut_time};
+use crate::order::sort_by;
 use crate::plan::model::{Move, Plan};
 use crate::sheet::{Contour, Operation, Sheet};
 
@@ -72,13 +73,13 @@ fn sums(
     let begin = plan.moves.iter().rposition(|m| is_cut(m) && !is_skeleton(m)).map_or(0, |k| k + 1);
     let (before, tail) = plan.moves.split_at(begin.min(last));
     let mut head = before.iter().rev().find_map(Move::end).unwrap_or(machine.home());
-    let (mut count, mut length, mut seconds, mut height) = (0_u32, 0.0, 0.0, 0.0_f64);
+    let (mut length, mut seconds, mut height) = (0.0, 0.0, 0.0_f64);
     for m in before {
         if let Move::Height { z } = m {
             height = *z;
         }
     }
-    let mut seen: Vec<u32> = Vec::new();
+    let mut lines: Vec<u32> = Vec::new();
     for m in tail.iter().take(last - begin.min(last)) {
         match m {
             Move::Air { to, way } => {
@@ -91,10 +92,7 @@ fn sums(
                 height = *z;
             }
             Move::Cut { contour, path, .. } => {
-                if !seen.contains(&sheet_line(sheet, *contour)) {
-                    seen.push(sheet_line(sheet, *contour));
-                    count += 1;
-                }
+                lines.push(sheet_line(sheet, *contour));
                 length += path.iter().map(Segment::length).sum::<f64>();
                 seconds += machine.beam_on_delay
                     + machine.beam_off_delay
@@ -104,9 +102,12 @@ fn sums(
         }
         head = m.end().unwrap_or(head);
     }
+    // A line that is cut in several passes counts once.
+    sort_by(&mut lines, |&line| [line.into(), 0, 0]);
+    lines.dedup();
     let s = &plan.summary;
     let sums = [
-        ("the number of skeleton cuts", f64::from(s.skeleton_cuts), f64::from(count)),
+        ("the number of skeleton cuts", f64::from(s.skeleton_cuts), lines.len() as f64),
         ("the length of skeleton cuts", s.skeleton_length, length),
         ("the time of skeleton cuts", s.skeleton_time, seconds),
     ];

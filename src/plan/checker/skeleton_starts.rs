@@ -13,7 +13,7 @@ use crate::sheet::Sheet;
 /// The skeleton cuts of a plan that are not pierced.
 #[derive(Default)]
 pub(super) struct SkeletonStarts {
-    /// The moves that may cut without piercing.
+    /// The moves that may cut without piercing, in order.
     allowed: Vec<usize>,
     /// The contours that are followed here, each with the moves that cut it.
     followed: Vec<(u32, Vec<usize>)>,
@@ -52,7 +52,7 @@ impl SkeletonStarts {
 
     /// Whether a move may cut without piercing.
     pub(super) fn allow(&self, step: usize) -> bool {
-        PLANS_ALL_LEVERS && self.allowed.contains(&step)
+        PLANS_ALL_LEVERS && self.allowed.binary_search(&step).is_ok()
     }
 
     /// Whether a contour is followed here.
