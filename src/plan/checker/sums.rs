@@ -21,6 +21,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     let (mut moving_starts, mut lifts, mut fly_cuts) = (0u32, 0u32, 0u32);
     let (mut detours, mut crossings) = (0u32, 0u32);
     let (mut chains, mut edge_starts, mut chain_length) = (0u32, 0u32, 0.0);
+    let paths = paths(sheet, machine);
     let mut worked: Vec<u32> = Vec::new();
     let (mut air_length, mut air_seconds, mut cut_length, mut cut_seconds) = (0.0, 0.0, 0.0, 0.0);
     let mut lead_length = 0.0;
@@ -99,7 +100,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                     // A joint may be where the contour reaches farthest, and a loop reaches beyond it.
                     bounds = path.iter().fold(bounds, |b, s| b.union(s.bounds()));
                 } else {
-                    for path in with.iter().chain([contour]).filter_map(|&c| path_of(sheet, machine, c)) {
+                    for path in with.iter().chain([contour]).filter_map(|&c| paths.get(c as usize)) {
                         bounds = bounds.union(path.bounds());
                         slack = path.segments.iter().map(rounding).fold(slack, f64::max);
                     }
@@ -193,10 +194,17 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     }
 }
 
-/// The path of a contour; where the machine cuts groups as one, its path in the group.
-fn path_of<'s>(sheet: &'s Sheet, machine: &Profile, contour: u32) -> Option<&'s Path> {
-    let joined = sheet.cut_as_one(machine.cuts_as_one()).iter().find_map(|g| g.path_of(contour));
-    joined.or_else(|| sheet.contours.get(contour as usize).map(|c| &c.path))
+/// The path of each contour; where the machine cuts groups as one, its path in the group.
+fn paths<'s>(sheet: &'s Sheet, machine: &Profile) -> Vec<&'s Path> {
+    let mut paths: Vec<&Path> = sheet.contours.iter().map(|c| &c.path).collect();
+    for group in sheet.cut_as_one(machine.cuts_as_one()) {
+        for (&contour, joined) in group.contours.iter().zip(&group.paths) {
+            if let Some(path) = paths.get_mut(contour as usize) {
+                *path = joined;
+            }
+        }
+    }
+    paths
 }
 
 /// Whether the head is lifted on its way, mm. Sums of coordinates may be off in their last digits.
