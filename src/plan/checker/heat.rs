@@ -7,7 +7,7 @@
 
 use super::sums::{air_time, is_lifted, trapezoid};
 use super::violation::Violation;
-use crate::geometry::{DVec2, Path, Segment};
+use crate::geometry::{Aabb, DVec2, Path, Segment};
 use crate::machine::{PLANS_ALL_LEVERS, Profile, cut_time};
 use crate::plan::model::{Move, Plan};
 use crate::sheet::{Operation, Sheet};
@@ -21,6 +21,8 @@ const MOST: u32 = 20_000;
 struct Ended<'s> {
     contour: u32,
     line: &'s Path,
+    bounds: Aabb,
+    /// When, s.
     at: f64,
 }
 
@@ -51,13 +53,14 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             && ended.last().is_none_or(|e| e.contour != *contour)
             && let Some(line) = hot_line(sheet, *contour)
         {
+            let bounds = line.bounds();
             let mut may_begin = 0.0_f64;
             for before in ended.iter().rev() {
                 let apart = begins - before.at;
                 if heat.is_none() || apart >= seconds + SAME {
                     break;
                 }
-                let near = near(line, before.line, distance);
+                let near = near((line, &bounds), (before.line, &before.bounds), distance);
                 if near != Near::No {
                     may_begin = may_begin.max(before.at + seconds);
                 }
@@ -75,7 +78,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             {
                 found.push(Violation::NeedlessWait { step: wait });
             }
-            ended.push(Ended { contour: *contour, line, at: begins });
+            ended.push(Ended { contour: *contour, line, bounds, at: begins });
         }
         clock.add(m, plan.moves.get(step + 1).is_some_and(Move::runs_on));
         match m {
@@ -85,8 +88,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                 }
                 begins = clock.seconds;
             }
-            Move::Air { .. } => begins = clock.seconds,
-            Move::Wait { .. } => begins = clock.seconds,
+            Move::Air { .. } | Move::Wait { .. } => begins = clock.seconds,
             _ => continue,
         }
         // A wait that no cut follows is for nothing.
@@ -110,9 +112,8 @@ fn hot_line(sheet: &Sheet, contour: u32) -> Option<&Path> {
     (known.operation == Operation::Cut && !known.skeleton).then_some(&known.path)
 }
 
-/// Whether two lines are nearer to each other than `distance` mm.
-fn near(a: &Path, b: &Path, distance: f64) -> Near {
-    let (x, y) = (a.bounds(), b.bounds());
+/// Whether two lines, each with the box around it, are nearer to each other than `distance` mm.
+fn near((a, x): (&Path, &Aabb), (b, y): (&Path, &Aabb), distance: f64) -> Near {
     let gap = |low: f64, high: f64| (low - high).max(0.0);
     let wide = gap(x.min.x, y.max.x).max(gap(y.min.x, x.max.x));
     let high = gap(x.min.y, y.max.y).max(gap(y.min.y, x.max.y));
