@@ -4,6 +4,7 @@
 //! every contour as the machine says; from the two that the chain joins it may be as near as a quarter of the way to its end,
 //! so that the chain does not run along them. Where the machine has edge starts, it may begin on a kerf that was cut before, or at the edge of the sheet.
 
+use super::fractions::fractions;
 use super::kerfs::Kerfs;
 use super::tolerance::SAME;
 use super::violation::Violation;
@@ -112,9 +113,8 @@ impl Room<'_> {
         if a == b || first.layer != second.layer || !joins(first) || !joins(second) {
             return Some(("joins contours that are not cut alike", at));
         }
-        let count = (length / STEP).ceil().clamp(2.0, MOST);
-        let fractions = std::iter::successors(Some(0.0), |k| (*k < count).then_some(k + 1.0));
-        for (gone, p) in fractions.map(|k| (length * k / count, line.start + way * (k / count))) {
+        for f in fractions(length, STEP, [2.0, MOST]) {
+            let (gone, p) = (length * f, line.start + way * f);
             match self.waste.too_near([(a, gone), (b, length - gone)], p) {
                 Near::None => {}
                 Near::Own => return Some(("runs along a contour that it joins", p)),
@@ -140,18 +140,15 @@ impl Room<'_> {
         if !known.path.closed || known.operation != Operation::Cut || known.skeleton {
             return Some(("joins contours that are not cut alike", at));
         }
-        let count = (length / STEP).ceil().clamp(2.0, MOST);
-        let fractions = std::iter::successors(Some(0.0), |k| (*k < count).then_some(k + 1.0));
-        fractions.map(|k| (length * (1.0 - k / count), line.start + way * (k / count))).find_map(
-            |(left, p)| {
-                let part = left > JOINT && self.waste.depth(p) % 2 == 1;
-                let what = match self.waste.too_near([(contour, left); 2], p) {
-                    Near::None => part.then_some("cuts into a part"),
-                    Near::Own => Some("runs along a contour that it joins"),
-                    Near::Other => Some("is too near to another cut"),
-                };
-                what.map(|what| (what, p))
-            },
-        )
+        fractions(length, STEP, [2.0, MOST]).find_map(|f| {
+            let (left, p) = (length * (1.0 - f), line.start + way * f);
+            let part = left > JOINT && self.waste.depth(p) % 2 == 1;
+            let what = match self.waste.too_near([(contour, left); 2], p) {
+                Near::None => part.then_some("cuts into a part"),
+                Near::Own => Some("runs along a contour that it joins"),
+                Near::Other => Some("is too near to another cut"),
+            };
+            what.map(|what| (what, p))
+        })
     }
 }

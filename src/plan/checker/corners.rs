@@ -5,6 +5,7 @@
 //! its leads, joints and pauses are where they belong. Here a loop is followed in small steps, as chains are; it has to run
 //! straight through its corner both times. The deviation of an arc is computed from its centre.
 
+use super::fractions::fractions;
 use super::groups::Groups;
 use super::tolerance::SAME;
 use super::violation::Violation;
@@ -156,9 +157,7 @@ impl<'s> Room<'s> {
         }
         let reach = ahead.end.distance(turn.at);
         for s in path {
-            let count = (s.length() / STEP).ceil().clamp(2.0, MOST);
-            let fractions = std::iter::successors(Some(0.0), |k| (*k < count).then_some(k + 1.0));
-            for p in fractions.map(|k| s.at(k / count)) {
+            for p in fractions(s.length(), STEP, [2.0, MOST]).map(|f| s.at(f)) {
                 let gone = p.distance(turn.at).min(reach);
                 match self.waste.too_near([(id, gone); 2], p) {
                     Near::None => {}

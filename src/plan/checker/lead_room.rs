@@ -1,5 +1,6 @@
 //! Checks at points along leads that they lie in scrap, and far enough from everything else.
 
+use super::fractions::fractions;
 use super::tolerance::SAME;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Segment, winding};
 use crate::machine::Profile;
@@ -137,9 +138,5 @@ fn direction_at(s: &Segment, place: DVec2) -> Option<DVec2> {
 
 /// Points along a lead, both ends included.
 fn points(lead: &[Segment]) -> impl Iterator<Item = DVec2> {
-    lead.iter().flat_map(|s| {
-        let count = (s.length() / STEP).ceil().clamp(1.0, MOST);
-        let fractions = std::iter::successors(Some(0.0), move |k| (*k < count).then_some(k + 1.0));
-        fractions.map(move |k| s.at(k / count))
-    })
+    lead.iter().flat_map(|s| fractions(s.length(), STEP, [1.0, MOST]).map(move |f| s.at(f)))
 }

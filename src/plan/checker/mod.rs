@@ -12,6 +12,7 @@ mod corners;
 mod coverage;
 mod cut_apart;
 mod fly;
+mod fractions;
 mod groups;
 mod heat;
 mod joint_room;

@@ -3,6 +3,7 @@
 //! On a machine that moves each axis as fast as it can (`travel: per-axis`), the head leaves the straight line. Its places follow
 //! from the ramps of both axes.
 
+use super::fractions::fractions;
 use super::sums::trapezoid;
 use crate::geometry::DVec2;
 use crate::machine::{Profile, Travel};
@@ -22,14 +23,9 @@ pub(super) fn places(machine: &Profile, from: DVec2, to: DVec2) -> Option<Vec<DV
     let (way, toward) = ((to - from).abs(), (to - from).signum());
     let (x, y) = (Axis::new(way.x, vx, ax), Axis::new(way.y, vy, ay));
     let seconds = x.seconds.max(y.seconds);
-    let count = ((way.x + way.y) / STEP).ceil().clamp(2.0, MOST);
     let mut places = vec![from];
-    let mut k = 1.0;
-    while k < count {
-        let t = seconds * k / count;
-        places.push(from + DVec2::new(x.at(t), y.at(t)) * toward);
-        k += 1.0;
-    }
+    let between = fractions(way.x + way.y, STEP, [2.0, MOST]).filter(|f| 0.0 < *f && *f < 1.0);
+    places.extend(between.map(|f| from + DVec2::new(x.at(f * seconds), y.at(f * seconds)) * toward));
     places.push(to);
     Some(places)
 }

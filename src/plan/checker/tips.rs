@@ -5,6 +5,7 @@
 //! cuts through bridges is found in `cut_apart.rs`.
 
 use super::cut_apart;
+use super::fractions::fractions;
 use super::joints_left::joints_left;
 use super::nesting::{pairs, winding};
 use super::rapids;
@@ -234,13 +235,7 @@ fn crosses(line: &Segment, outline: &Path, reach: f64, depth: f64, nearer: f64) 
     if nearest > 0.0 && !inside(line.start()) {
         return false;
     }
-    let count = (line.length() / STEP).ceil().clamp(2.0, MOST);
-    let mut k = 0.0;
-    let mut places = Vec::new();
-    while k <= count {
-        places.push(line.at(k / count));
-        k += 1.0;
-    }
+    let places: Vec<DVec2> = fractions(line.length(), STEP, [2.0, MOST]).map(|f| line.at(f)).collect();
     runs_over(&places, outline, depth)
 }
 
