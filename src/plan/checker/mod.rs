@@ -42,7 +42,7 @@ mod waste;
 pub use violation::Violation;
 
 use super::model::{Move, Plan};
-use crate::geometry::Segment;
+use crate::geometry::{DVec2, Segment};
 use crate::machine::{PLANS_ALL_LEVERS, Profile};
 use crate::sheet::{Operation, Sheet};
 use fly::Flown;
@@ -105,6 +105,17 @@ fn pre_cuts(machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
     }
 }
 
+/// Follows the head along a path that begins where it is. Returns where it ends.
+fn along(path: &[Segment], step: usize, head: DVec2, found: &mut Vec<Violation>) -> DVec2 {
+    path.iter().fold(head, |head, s| {
+        let gap = s.start().distance(head);
+        if !gap.is_finite() || gap > JOIN {
+            found.push(Violation::NotJoined { step, gap });
+        }
+        s.end()
+    })
+}
+
 /// Follows the head: moves are joined and finite, the beam is on only along contours and after piercing, and the path ends
 /// at home.
 fn follow(
@@ -145,13 +156,7 @@ fn follow(
                     found
                         .push(Violation::Beam { step, what: "leaves a joint where no contour is being cut" });
                 }
-                for s in path {
-                    let gap = s.start().distance(head);
-                    if !gap.is_finite() || gap > JOIN {
-                        found.push(Violation::NotJoined { step, gap });
-                    }
-                    head = s.end();
-                }
+                head = along(path, step, head, found);
                 left = Some((*contour, *flying));
             }
             Move::Macro { .. } => {}
@@ -162,26 +167,14 @@ fn follow(
                 if !starts || path.is_empty() {
                     found.push(Violation::Beam { step, what: "cuts through waste without a cut before it" });
                 }
-                for s in path {
-                    let gap = s.start().distance(head);
-                    if !gap.is_finite() || gap > JOIN {
-                        found.push(Violation::NotJoined { step, gap });
-                    }
-                    head = s.end();
-                }
+                head = along(path, step, head, found);
                 chains = true;
             }
             Move::Fly { path } => {
                 if before.is_none() {
                     found.push(Violation::Beam { step, what: "runs on without a cut before it" });
                 }
-                for s in path {
-                    let gap = s.start().distance(head);
-                    if !gap.is_finite() || gap > JOIN {
-                        found.push(Violation::NotJoined { step, gap });
-                    }
-                    head = s.end();
-                }
+                head = along(path, step, head, found);
                 flies = true;
             }
             Move::Air { to, .. } => {
