@@ -1,7 +1,7 @@
 //! The corners of a contour that may be cut in loops or rounded.
 
 use super::turned::Corner;
-use crate::geometry::{Aabb, DVec2, Segment, math};
+use crate::geometry::{DVec2, Segment, math};
 use crate::lead::Scrap;
 use crate::machine::{CornerKind, Corners, PLANS_ALL_LEVERS, Profile};
 use crate::sheet::{Operation, Sheet};
@@ -41,10 +41,8 @@ impl<'s> Planner<'s> {
         if stops && !sheet.asks_for_corners() {
             return None;
         }
-        let bed =
-            machine.bed.map(|[x0, y0, x1, y1]| Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) });
         // A job that does not lie on the bed is reported elsewhere.
-        let bed = bed.filter(|bed| bed.contains_box(&sheet.bounds));
+        let bed = machine.bed().filter(|bed| bed.contains_box(&sheet.bounds));
         let mut grouped = vec![false; sheet.contours.len()];
         for &id in sheet.cut_as_one(machine.cuts_as_one()).iter().flat_map(|g| &g.contours) {
             grouped.get_mut(id as usize).into_iter().for_each(|grouped| *grouped = true);

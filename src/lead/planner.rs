@@ -5,7 +5,7 @@ use super::ladder::{Ladder, Outcome};
 use super::run::Lead;
 use super::scrap::Scrap;
 use super::shape::Spot;
-use crate::geometry::{Aabb, DVec2, Path};
+use crate::geometry::Path;
 use crate::machine::{LeadKind, LeadPosition, LeadRule, LeadShape, LeadSide, Leads, Profile};
 use crate::sheet::{Contour, Operation, Sheet};
 
@@ -45,10 +45,8 @@ impl<'s> Planner<'s> {
         if !sheet.asks_for_leads(machine) && machine.levers.cut_again(f64::INFINITY) <= 0.0 {
             return None;
         }
-        let bed =
-            machine.bed.map(|[x0, y0, x1, y1]| Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) });
         // A job that does not lie on the bed is reported elsewhere.
-        let bed = bed.filter(|bed| bed.contains_box(&sheet.bounds));
+        let bed = machine.bed().filter(|bed| bed.contains_box(&sheet.bounds));
         let scrap = Scrap::new(&sheet.contours, Sheet::lead_clearance(machine), machine.kerf_width, bed);
         Some(Self { sheet, machine, leads, scrap })
     }

@@ -16,7 +16,7 @@ use super::leads::Planners;
 use super::links::{Link, Links};
 use super::model::{Item, Node};
 use super::seconds::start_seconds;
-use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment};
+use crate::geometry::{BoxIndex, DVec2, Path, Segment};
 use crate::heat::Cooling;
 use crate::lead::{Scrap, starts_moving};
 use crate::machine::{AirTime, Chains, PLANS_ALL_LEVERS, Profile, cut_time};
@@ -84,9 +84,7 @@ impl<'s> Candidates<'s> {
                 && planners.joints(id).is_none()
                 && is_alone(id)
         };
-        let bed =
-            machine.bed.map(|[x0, y0, x1, y1]| Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) });
-        let bed = bed.filter(|bed| bed.contains_box(&sheet.bounds));
+        let bed = machine.bed().filter(|bed| bed.contains_box(&sheet.bounds));
         let mut new = Self {
             sheet,
             machine,

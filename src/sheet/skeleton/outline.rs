@@ -9,12 +9,10 @@ use crate::machine::Profile;
 /// The smallest closed outline around everything that is drawn and not cut; otherwise the bed of the machine.
 pub(super) fn of(sheet: &Sheet, machine: &Profile) -> Result<Path, SkeletonFault> {
     let job = parts(sheet);
-    match (drawn(sheet), machine.bed) {
+    match (drawn(sheet), machine.bed()) {
         (Some(path), _) => Ok(path.clone()),
-        (None, Some([x0, y0, x1, y1])) => {
-            let bed = Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) };
-            if bed.contains_box(&job) { Ok(rectangle(&bed)) } else { Err(SkeletonFault::Beyond) }
-        }
+        (None, Some(bed)) if bed.contains_box(&job) => Ok(rectangle(&bed)),
+        (None, Some(_)) => Err(SkeletonFault::Beyond),
         (None, None) => Err(SkeletonFault::NoSheet),
     }
 }

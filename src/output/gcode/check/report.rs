@@ -119,9 +119,7 @@ pub(super) fn figures(program: &Program, cuts: &[Cut], profile: &Profile) -> Fig
 }
 
 fn fits(reach: &Aabb, profile: &Profile) -> Option<bool> {
-    let [x0, y0, x1, y1] = profile.bed?;
-    let bed = Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) };
-    Some(reach.is_empty() || bed.grown(BED_SLACK).contains_box(reach))
+    profile.bed().map(|bed| reach.is_empty() || bed.grown(BED_SLACK).contains_box(reach))
 }
 
 /// Seconds of the program on the machine. Each run of the same speed is a run of the planner.
