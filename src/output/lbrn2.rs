@@ -107,6 +107,12 @@ fn notes(plan: &Plan, profile: &Profile, cuts: &[Cut]) -> Vec<String> {
     if plan.summary.waits > 0 {
         notes.push("The waits until it has cooled are not in this project: LightBurn has none.".to_owned());
     }
+    if plan.summary.lifts + plan.summary.detours > 0 {
+        notes.push(
+            "The lifts of the head between cuts are not in this project: set the lift in the controller, for every move."
+                .to_owned(),
+        );
+    }
     if cuts.iter().any(|c| c.z < 0.0) {
         notes.push(
             "Layers whose name ends with a height have a Z offset: switch on Z moves in the device settings."

@@ -231,6 +231,19 @@ fn programs_lift_the_head_on_the_way_and_cut_with_it_down_in_every_dialect() {
     assert!(written > 60, "{written} programs");
 }
 
+/// LightBurn has no heights between cuts, and its projects did not say that the lift is missing.
+#[test]
+fn lightburn_shows_that_the_lift_is_not_in_the_project() {
+    let sheet = small();
+    let note = "The lifts of the head between cuts are not in this project: set the lift in the controller, for every move.";
+    let notes = |machine: &Profile| {
+        let project = output::lbrn2(&planned(&sheet, machine), &SheetFacts::of(&sheet), machine).unwrap();
+        project.matches(note).count()
+    };
+    let down = machine("fibre-3kw-thin");
+    assert_eq!((notes(&down), notes(&lifting(&down, UP))), (0, 1));
+}
+
 /// A lowered pass is left at the height of the first, and the lift counts from there.
 #[test]
 fn deep_passes_and_joints_go_with_a_lift() {
