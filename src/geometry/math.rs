@@ -72,6 +72,12 @@ pub fn angle_of(v: DVec2) -> f64 {
     atan2(v.y, v.x)
 }
 
+/// A number from 0 to 4 that increases with the angle of `v` from 0 to 2 pi, without transcendental functions.
+pub(crate) fn angle_order(v: DVec2) -> f64 {
+    let x = v.x / (v.x.abs() + v.y.abs());
+    if v.y >= 0.0 { 1.0 - x } else { 3.0 + x }
+}
+
 /// The signed angle that rotates the direction of `a` to that of `b`, in (-pi, pi].
 pub fn turn(a: DVec2, b: DVec2) -> f64 {
     atan2(a.perp_dot(b), a.dot(b))

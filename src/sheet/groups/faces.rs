@@ -7,7 +7,7 @@
 
 use super::contacts::Set;
 use super::group::{GroupElement, PierceGroup};
-use crate::geometry::{DVec2, Path};
+use crate::geometry::{DVec2, Path, math};
 use crate::order::{real, sort_by};
 
 /// Where the direction of an element at a node is taken, as a fraction of its length. Arcs with a common tangent at the
@@ -56,7 +56,7 @@ fn trace(elements: &mut [GroupElement], paths: &[Path], nodes: usize) -> Option<
     }
     let mut after = vec![0; 2 * elements.len()];
     for halves in &mut leaving {
-        sort_by(halves, |&h| [real(angle(direction(&paths[h / 2], h % 2 == 1))), 0, 0]);
+        sort_by(halves, |&h| [real(math::angle_order(direction(&paths[h / 2], h % 2 == 1))), 0, 0]);
         for (k, &h) in halves.iter().enumerate() {
             // A traversal that arrives by the opposite half-edge of h continues with the one before h in
             // counter-clockwise order.
@@ -95,12 +95,6 @@ fn direction(path: &Path, from_end: bool) -> DVec2 {
     let length = path.length();
     let (at, there) = if from_end { (length, length * (1.0 - AHEAD)) } else { (0.0, length * AHEAD) };
     path.at(there).unwrap_or_default() - path.at(at).unwrap_or_default()
-}
-
-/// A number from 0 to 4 that increases with the angle of a direction.
-fn angle(d: DVec2) -> f64 {
-    let x = d.x / (d.x.abs() + d.y.abs());
-    if d.y >= 0.0 { 1.0 - x } else { 3.0 + x }
 }
 
 fn doubled_area(path: &Path, reversed: bool) -> f64 {

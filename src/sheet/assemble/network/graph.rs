@@ -8,7 +8,7 @@
 
 use super::contacts::{Net, Place};
 use super::joined::Joined;
-use crate::geometry::{DVec2, Path, Segment, interior_point};
+use crate::geometry::{DVec2, Path, Segment, interior_point, math};
 use crate::order::{real, sort_by};
 use crate::sheet::element::Element;
 
@@ -130,7 +130,7 @@ impl Graph {
         for at in leaving.chunk_by(|a, b| a.0 == b.0) {
             let shortest = at.iter().fold(f64::INFINITY, |l, (_, h)| l.min(self.edges[h / 2].length));
             let mut around: Vec<HalfEdge> = at.iter().map(|(_, h)| *h).collect();
-            sort_by(&mut around, |&h| [real(angle(self.direction(h, AHEAD * shortest))), 0, 0]);
+            sort_by(&mut around, |&h| [real(math::angle_order(self.direction(h, AHEAD * shortest))), 0, 0]);
             for (k, &h) in around.iter().enumerate() {
                 // Who arrives against h goes on with the edge before h in counter-clockwise order.
                 after[h ^ 1] = around[(k + around.len() - 1) % around.len()];
@@ -220,12 +220,6 @@ impl Graph {
         let segments = face.around.iter().flat_map(|&h| self.elements(h)).map(|e| e.segment).collect();
         interior_point(&Path::new(segments, true))
     }
-}
-
-/// A number from 0 to 4 that increases with the angle of a direction.
-fn angle(d: DVec2) -> f64 {
-    let x = d.x / (d.x.abs() + d.y.abs());
-    if d.y >= 0.0 { 1.0 - x } else { 3.0 + x }
 }
 
 /// The elements from one place to another in the direction of the chain, across its start if they come in this order.
