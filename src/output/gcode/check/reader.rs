@@ -65,6 +65,8 @@ struct Reader<'d, 'p> {
     unit: Option<f64>,
     relative: bool,
     centers_absolute: bool,
+    /// Whether there was a motion.
+    moved: bool,
     motion: i64,
     /// mm/s.
     feed: f64,
@@ -87,6 +89,7 @@ pub(super) fn follow(text: &str, dialect: &Dialect, problems: &mut Problems) -> 
         unit: None,
         relative: false,
         centers_absolute: false,
+        moved: false,
         motion: 0,
         feed: 0.0,
         at: DVec2::ZERO,
@@ -277,7 +280,7 @@ impl Reader<'_, '_> {
             });
             self.unit = Some(unit);
         }
-        if !self.program.events.iter().any(|e| matches!(e, Event::Move { .. })) {
+        if !std::mem::replace(&mut self.moved, true) {
             self.program.begins_relative = self.relative;
         }
         let base = if self.relative { self.at } else { DVec2::ZERO };
