@@ -93,7 +93,7 @@ impl Profile {
     }
 
     /// Why a job with this box, in machine coordinates, does not lie on the bed: one sentence; `None` if it does, or if
-    /// the machine has no bed. A job that starts where the head stands only has to be small enough.
+    /// the machine has no bed. A job that starts where the head stands only has to be small enough, with the way to it.
     pub fn off_bed(&self, job: &Aabb, start: Start) -> Option<String> {
         let bed = self.bed()?;
         let (size, room) = (job.size(), bed.size());
@@ -114,7 +114,18 @@ impl Profile {
             ));
         }
         if !start.is_absolute() {
-            return None;
+            // The head stands at the origin, which is on the bed too.
+            let reach = job.with(DVec2::ZERO).size();
+            return (!fits(reach)).then(|| {
+                format!(
+                    "From where the head stands, the job reaches over {} x {} mm, more than the bed of {} x {} mm. \
+                     Place it where the head stands.",
+                    mm(reach.x),
+                    mm(reach.y),
+                    mm(room.x),
+                    mm(room.y),
+                )
+            });
         }
         if !bed.grown(EDGE).contains_box(job) {
             return Some(format!(
@@ -190,8 +201,14 @@ mod tests {
     }
 
     #[test]
-    fn from_where_the_head_stands_only_the_size_matters() {
+    fn from_where_the_head_stands_only_the_size_with_the_way_to_the_job_matters() {
         assert_eq!(machine().off_bed(&at(-100.0, -100.0, 100.0, 100.0), Start::Current), None);
+        assert_eq!(machine().off_bed(&at(390.0, -300.0, 400.0, -290.0), Start::Current), None);
+        assert_eq!(
+            machine().off_bed(&at(1000.0, 20.0, 1010.0, 30.0), Start::Current).unwrap(),
+            "From where the head stands, the job reaches over 1010 x 30 mm, more than the bed of 400 x 300 mm. \
+             Place it where the head stands."
+        );
     }
 
     #[test]

@@ -288,6 +288,23 @@ fn a_job_that_starts_where_the_head_stands_has_the_same_motions_from_there() {
     assert!(ends.last().unwrap().length() < 1e-9, "the head comes back");
 }
 
+/// Only the size of the job was compared with the bed, so that a drawing far from its origin left it.
+#[test]
+fn a_job_far_from_where_the_head_stands_is_refused() {
+    let current = PlanOptions { start: Start::Current, ..options(machine()) };
+    let job = planned(drawing(900.0, 0.0), &LoadOptions::default(), &current);
+    let sentence = refused(&job);
+    assert!(
+        sentence
+            .starts_with("From where the head stands, the job reaches over 1000 x 40 mm, more than the bed"),
+        "{sentence}"
+    );
+    let place = Some(Place { point: None, from: None, at: [0.0, 0.0] });
+    planned(drawing(900.0, 0.0), &LoadOptions::default(), &PlanOptions { place, ..current })
+        .output(OutputKind::Gcode)
+        .unwrap();
+}
+
 /// Every real drawing, as drawn and at the corner of the bed, on two presets: its program stays on the bed, or there is none.
 #[test]
 fn programs_of_real_drawings_stay_on_the_bed_or_are_not_written() {
