@@ -269,49 +269,46 @@ impl Profile {
             ("max_s", Some(self.max_s), FULL),
         ];
         let given = values.into_iter().filter_map(|(field, value, range)| Some((field, value?, range)));
-        match given
+        let mut all = given
             .chain(self.leads.iter().flat_map(Leads::numbers))
             .chain(self.levers.numbers())
             .chain(self.joints.iter().flat_map(Joints::numbers))
-            .chain(self.skeleton.iter().flat_map(Skeleton::numbers))
-            .find(|(_, value, range)| !range.holds(*value))
-        {
-            None => match self.bed {
-                Some([x0, y0, x1, y1]) if x0 >= x1 || y0 >= y1 => Err(ProfileError::Bed(x0, y0, x1, y1)),
-                _ => {
-                    if self.levers.moving_pierce.is_some() && self.pre_cut_time.is_some() {
-                        return Err(ProfileError::MovingPreCuts);
-                    }
-                    if self.levers.fly.is_some() && self.pre_cut_time.is_some() {
-                        return Err(ProfileError::FlyPreCuts);
-                    }
-                    if let Some(other) = self.without_chains() {
-                        return Err(ProfileError::ChainsWith(other));
-                    }
-                    if let Some(other) = self.without_common_cuts() {
-                        return Err(ProfileError::CommonCutsWith(other));
-                    }
-                    if self.levers.lift.is_some() && self.z_speed.is_none() {
-                        return Err(ProfileError::LiftWithoutZ);
-                    }
-                    if self.levers.avoid_tips() && self.levers.lift.is_none() {
-                        return Err(ProfileError::TipsWithoutLift);
-                    }
-                    if self.levers.avoid_tips() && self.pre_cut_time.is_some() {
-                        return Err(ProfileError::TipsWithPreCuts);
-                    }
-                    if self.levers.heat.is_some() && self.levers.fly.is_some() {
-                        return Err(ProfileError::HeatWithFly);
-                    }
-                    if self.levers.heat.is_some() && self.pre_cut_time.is_some() {
-                        return Err(ProfileError::HeatWithPreCuts);
-                    }
-                    self.dialect.document().map_err(ProfileError::Dialect)?;
-                    self.check_materials()
-                }
-            },
-            Some((field, value, range)) => Err(ProfileError::Value { field, value, range }),
+            .chain(self.skeleton.iter().flat_map(Skeleton::numbers));
+        if let Some((field, value, range)) = all.find(|(_, value, range)| !range.holds(*value)) {
+            return Err(ProfileError::Value { field, value, range });
         }
+        if let Some([x0, y0, x1, y1]) = self.bed.filter(|[x0, y0, x1, y1]| x0 >= x1 || y0 >= y1) {
+            return Err(ProfileError::Bed(x0, y0, x1, y1));
+        }
+        if self.levers.moving_pierce.is_some() && self.pre_cut_time.is_some() {
+            return Err(ProfileError::MovingPreCuts);
+        }
+        if self.levers.fly.is_some() && self.pre_cut_time.is_some() {
+            return Err(ProfileError::FlyPreCuts);
+        }
+        if let Some(other) = self.without_chains() {
+            return Err(ProfileError::ChainsWith(other));
+        }
+        if let Some(other) = self.without_common_cuts() {
+            return Err(ProfileError::CommonCutsWith(other));
+        }
+        if self.levers.lift.is_some() && self.z_speed.is_none() {
+            return Err(ProfileError::LiftWithoutZ);
+        }
+        if self.levers.avoid_tips() && self.levers.lift.is_none() {
+            return Err(ProfileError::TipsWithoutLift);
+        }
+        if self.levers.avoid_tips() && self.pre_cut_time.is_some() {
+            return Err(ProfileError::TipsWithPreCuts);
+        }
+        if self.levers.heat.is_some() && self.levers.fly.is_some() {
+            return Err(ProfileError::HeatWithFly);
+        }
+        if self.levers.heat.is_some() && self.pre_cut_time.is_some() {
+            return Err(ProfileError::HeatWithPreCuts);
+        }
+        self.dialect.document().map_err(ProfileError::Dialect)?;
+        self.check_materials()
     }
 
     /// The field that a machine with chains must not have.
