@@ -126,14 +126,16 @@ fn part_by_part<R: Copy + PartialEq>(sheet: &Sheet, visits: &Visits, rank: &[R],
 /// another one belongs to its group.
 fn together<R: Copy + PartialEq>(sheet: &Sheet, visits: &Visits, rank: &[R], found: &mut Vec<Violation>) {
     let group_of = |c: &u32| sheet.contours.get(*c as usize).and_then(|c| c.together);
-    let mut left: Vec<(u32, R)> = Vec::new();
+    let groups = sheet.contours.iter().filter_map(|c| c.together).max().map_or(0, |last| last as usize + 1);
+    // For each group, the ranks of the contours at which it was left.
+    let mut left: Vec<Vec<R>> = vec![Vec::new(); groups];
     for pair in visits.order.windows(2) {
         let [before, now] = [pair[0], pair[1]];
         let entered = group_of(&now).filter(|g| Some(*g) != group_of(&before));
         if let Some(group) = group_of(&before).filter(|g| Some(*g) != group_of(&now)) {
-            left.push((group, rank[before as usize]));
+            left[group as usize].push(rank[before as usize]);
         }
-        if entered.is_some_and(|group| left.iter().any(|l| *l == (group, rank[now as usize]))) {
+        if entered.is_some_and(|group| left[group as usize].contains(&rank[now as usize])) {
             found.push(Violation::Apart { contour: now });
         }
     }
