@@ -73,6 +73,12 @@ fn layers_that_differ_in_case_or_forbidden_characters_stay_apart() {
     let names: Vec<&str> = drawing.layers.iter().map(|l| l.name.as_str()).collect();
     assert_eq!(names, ["0", "a_b", "A_B_2"]);
     assert_eq!(drawing.shapes[0].layer, 2);
+    // Letters beyond ASCII, which are escaped, are the same in both cases, too.
+    sheet.layers[0].name = "Ätzen".into();
+    sheet.layers[1].name = "ÄTZEN".into();
+    let drawing = read_back(&sheet, &plan);
+    let names: Vec<&str> = drawing.layers.iter().map(|l| l.name.as_str()).collect();
+    assert_eq!(names, ["0", "Ätzen", "ÄTZEN_2"]);
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Layers of the sheet, with names that every DXF reader accepts.
 
 use super::super::sheet_facts::SheetFacts;
+use crate::letters::lower;
 use rustc_hash::FxHashMap;
 use std::fmt::Write as _;
 
@@ -25,10 +26,10 @@ impl Layers {
             .iter()
             .map(|layer| {
                 let name = written(&layer.name);
-                let mut unique = name.clone();
-                let mut n = 2;
-                while taken.insert(unique.to_ascii_uppercase().into_bytes(), n).is_some() {
-                    unique = format!("{name}_{n}");
+                let small = written(&layer.name.chars().map(lower).collect::<String>());
+                let (mut unique, mut key, mut n) = (name.clone(), small.clone(), 2);
+                while taken.insert(key.into_bytes(), n).is_some() {
+                    (unique, key) = (format!("{name}_{n}"), format!("{small}_{n}"));
                     n += 1;
                 }
                 let color = if (1..=255).contains(&layer.color) { layer.color } else { DEFAULT_COLOR };
