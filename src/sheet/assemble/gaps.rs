@@ -13,9 +13,9 @@ use rustc_hash::FxHashMap;
 /// Factor between one step of distance and the next. After a step no two free ends are nearer than its distance, so a
 /// cell of the next step holds at most a few dozen ends, however crowded the drawing was.
 const STEP: f64 = 4.0;
-/// Free ends within this many tolerances of each other are reported as a near miss,
+/// Free ends within this many tolerances of each other are reported as a near miss.
 const NEAR_MISS: f64 = 10.0;
-/// but only up to this distance, mm (or twice the tolerance if that is larger), because a wider gap is intended.
+/// Ends farther apart than this, mm (or than twice the tolerance if that is more), are no near miss: such a gap is intended.
 const NEAR_MISS_AT_MOST: f64 = 1.0;
 
 /// Joins free ends whose distance is at most `tolerance` mm.

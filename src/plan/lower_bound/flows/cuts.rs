@@ -22,8 +22,8 @@ const MOST: f64 = 4.0;
 const FEW: f64 = 1e-3;
 
 impl FlowBound {
-    /// Adds cuts: joins items by the most used legs first, and looks at each set that comes about. Cuts without a price and with legs
-    /// enough are forgotten.
+    /// Adds cuts: joins items by the most used legs first, and looks at each set that comes about. Cuts that have no price and
+    /// enough legs are forgotten.
     pub(super) fn separate(&mut self) {
         if self.temperature > MEANS_SOMETHING * self.mean {
             return;

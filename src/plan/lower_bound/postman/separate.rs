@@ -35,7 +35,7 @@ struct Join {
 
 impl StopBound {
     /// Adds cuts: joins places by the legs that are most used, and looks at each part that comes about, and at all parts together. Places are
-    /// knots, and then whole items. Cuts without a price that are kept are forgotten.
+    /// knots, and then whole items. Cuts that have no price and that the solution satisfies are forgotten.
     pub(super) fn separate(&mut self) {
         let little = 1e-9 * self.mean;
         self.cuts.retain(|c| c.price > little || c.there < c.asked);

@@ -13,7 +13,7 @@ const MOST_CUTS: usize = 40;
 
 impl ShareBound {
     /// Adds cuts: joins places by the most used legs first, and looks at each set that comes about. Places are knots, and then
-    /// whole items. Cuts without a price and with legs enough are forgotten.
+    /// whole items. Cuts that have no price and enough legs are forgotten.
     pub(super) fn separate(&mut self) {
         let little = 1e-9 * self.mean;
         self.cuts.retain(|c| c.price > little || c.legs < c.target);
