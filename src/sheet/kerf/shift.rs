@@ -53,8 +53,9 @@ pub(crate) fn shifts(sheet: &Sheet, width: f64, most: f64, same: f64) -> Vec<Shi
         .collect();
     sort_by(&mut order, |(id, low)| [real(low.x + low.y), (*id).into(), 0]);
     let mut found = Vec::new();
+    let mut slots = vec![None; sheet.contours.len()];
     for group in groups(&parts, &order, sheet.contours.len()) {
-        let by = chosen(&parts, &group, sheet.contours.len());
+        let by = chosen(&parts, &group, &mut slots);
         let shifts = group.into_iter().zip(by).map(|(contour, by)| Shift { contour, by });
         found.extend(shifts.filter(|s| s.by != DVec2::ZERO));
     }
@@ -80,9 +81,8 @@ fn groups(parts: &Parts<'_>, order: &[(u32, DVec2)], count: usize) -> Vec<Vec<u3
     groups
 }
 
-/// How far each part of a group is moved.
-fn chosen(parts: &Parts<'_>, group: &[u32], count: usize) -> Vec<DVec2> {
-    let mut slots = vec![None; count];
+/// How far each part of a group is moved. `slots`: room for the place of each part in its group, by contour; nothing is in it before and after.
+fn chosen(parts: &Parts<'_>, group: &[u32], slots: &mut [Option<u32>]) -> Vec<DVec2> {
     for (slot, &id) in (0..).zip(group) {
         if let Some(place) = slots.get_mut(id as usize) {
             *place = Some(slot);
@@ -95,7 +95,7 @@ fn chosen(parts: &Parts<'_>, group: &[u32], count: usize) -> Vec<DVec2> {
     for orders in [[&downwards, &upwards], [&upwards, &downwards]] {
         let mut choice = Choice { by: vec![DVec2::ZERO; group.len()], ..Choice::default() };
         for (pass, order) in orders.into_iter().cycle().take(PASSES).enumerate() {
-            let Some(next) = search(parts, order, &slots, choice.clone(), pass == 0) else { break };
+            let Some(next) = search(parts, order, slots, choice.clone(), pass == 0) else { break };
             let is_better = next.gain > choice.gain + SAME_LENGTH;
             choice = next;
             if !is_better {
@@ -103,6 +103,9 @@ fn chosen(parts: &Parts<'_>, group: &[u32], count: usize) -> Vec<DVec2> {
             }
         }
         best.push(choice);
+    }
+    for &id in group {
+        slots[id as usize] = None;
     }
     best_first(&mut best, |c| (c.gain, c.moved));
     best.into_iter().next().map(|c| c.by).unwrap_or_default()
@@ -119,12 +122,17 @@ fn search(
 ) -> Option<Choice> {
     let kept = (WORK / order.len()).clamp(1, WIDEST);
     let mut beam = vec![first];
-    let mut left: Vec<bool> = slots.iter().map(|slot| may_follow && slot.is_some()).collect();
+    // Whether each part of the group may still move out of the way.
+    let mut left = vec![may_follow; order.len()];
+    let slot_of = |part: u32| slots.get(part as usize).copied().flatten();
     for &(slot, id) in order {
         let near = parts.near(id);
         let mut in_way = near.clone();
-        in_way.retain(|&other| parts.root(other).is_none_or(|root| left.get(root as usize) != Some(&true)));
-        if let Some(is_left) = left.get_mut(id as usize) {
+        in_way.retain(|&other| {
+            let slot = parts.root(other).and_then(slot_of);
+            slot.is_none_or(|slot| left.get(slot as usize) != Some(&true))
+        });
+        if let Some(is_left) = left.get_mut(slot) {
             *is_left = false;
         }
         let mut next: Vec<(usize, DVec2, f64, f64)> = Vec::new();
