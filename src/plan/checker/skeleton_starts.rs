@@ -17,6 +17,8 @@ pub(super) struct SkeletonStarts {
     allowed: Vec<usize>,
     /// The contours that are followed here, each with the moves that cut it.
     followed: Vec<(u32, Vec<usize>)>,
+    /// For each contour, whether it is followed here.
+    held: Vec<bool>,
 }
 
 impl SkeletonStarts {
@@ -29,13 +31,15 @@ impl SkeletonStarts {
         let kerfs = Kerfs::new(plan, is_skeleton);
         let edge = edge_of(sheet).unwrap_or_default();
         let mut cuts: Vec<(u32, Vec<usize>)> = Vec::new();
+        let mut place = vec![None; sheet.contours.len()];
         for (step, m) in plan.moves.iter().enumerate() {
             let Move::Cut { contour, path, .. } = m else { continue };
             if !is_skeleton(*contour) || !sheet.is_cut_once(*contour, machine) {
                 continue;
             }
-            match cuts.iter_mut().find(|c| c.0 == *contour) {
-                Some(known) => known.1.push(step),
+            let known = *place[*contour as usize].get_or_insert(cuts.len());
+            match cuts.get_mut(known) {
+                Some(cut) => cut.1.push(step),
                 None => cuts.push((*contour, vec![step])),
             }
             let Some(at) = path.first().map(Segment::start) else { continue };
@@ -46,6 +50,8 @@ impl SkeletonStarts {
         }
         let pierced = |step: usize| step > 0 && matches!(plan.moves.get(step - 1), Some(Move::Pierce));
         cuts.retain(|(_, steps)| steps.iter().any(|&step| !pierced(step)));
+        all.held = vec![false; sheet.contours.len()];
+        cuts.iter().for_each(|c| all.held[c.0 as usize] = true);
         all.followed = cuts;
         all
     }
@@ -57,7 +63,7 @@ impl SkeletonStarts {
 
     /// Whether a contour is followed here.
     pub(super) fn hold(&self, contour: u32) -> bool {
-        PLANS_ALL_LEVERS && self.followed.iter().any(|f| f.0 == contour)
+        PLANS_ALL_LEVERS && self.held.get(contour as usize) == Some(&true)
     }
 
     /// Each is cut from end to end.
