@@ -105,7 +105,7 @@ function detailOf(state: State): string {
   const bound = refused !== null || progress.summary.gap === null || isOptimal(state) || left === seconds(0) ? null : words.dock.gap(left);
   const pace = refused !== null || progress.moves === 0 ? null : phase === 'planning' ? words.dock.pace(short(Math.round(progress.rate))) : words.dock.moves(progress.moves, short(progress.moves));
   const gain = (state.baselines?.greedy.total_time ?? 0) - progress.summary.total_time;
-  return unbroken([refused, gain > 0 ? words.dock.saved(seconds(gain)) : null, pace, bound].filter((part) => part !== null).join(', '));
+  return unbroken([refused, gain > 0 && seconds(gain) !== seconds(0) ? words.dock.saved(seconds(gain)) : null, pace, bound].filter((part) => part !== null).join(', '));
 }
 
 function failsCheck({ programFails, machine }: State): boolean {

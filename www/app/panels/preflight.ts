@@ -62,7 +62,8 @@ export function preflight(session: Session, refuse: (why: string) => void): HTML
       const report = await session.preflight();
       if (isLatest()) show({ report });
     } catch (error) {
-      if (!isLatest()) return;
+      // While a choice is being applied, nothing is wrong with the program: there is none.
+      if (!isLatest() || session.state.applying) return;
       const isLost = isKerfwayError(error) && error.code === 'not-started';
       show(isLost ? { unchecked: messageOf(error) } : { refused: messageOf(error) });
     }

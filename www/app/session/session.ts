@@ -162,15 +162,12 @@ export class Session {
 
   /** One of the outputs of the best plan. */
   async output(kind: OutputKind, width?: number): Promise<string | Uint8Array> {
-    const planner = await this.catalog.ready;
-    // The plan of before is not that of the choice.
-    if (this.state.applying) throw new Error(words.page.stillApplying);
-    return planner.output(kind, width);
+    return (await this.withPlan()).output(kind, width);
   }
 
   /** What the check says of the program of the best plan. */
   async preflight(): Promise<ProgramCheck> {
-    return (await this.catalog.ready).check();
+    return (await this.withPlan()).check();
   }
 
   /** A small program, which shows what the dialect of a machine looks like. */
@@ -188,7 +185,7 @@ export class Session {
 
   /** The report that a quote of the best plan is based on. */
   async quote(material: Material): Promise<Quote> {
-    return (await this.catalog.ready).quote({ material });
+    return (await this.withPlan()).quote({ material });
   }
 
   /** The report of the best plan, as HTML; null while there is none. */
@@ -197,6 +194,14 @@ export class Session {
     if (loaded === null || progress === null || baselines === null || path === null) return null;
     const [svg, quote] = [(await this.output('svg')) as string, await this.quote({})];
     return jobReport({ loaded, summary: progress.summary, baselines, path, findings, svg, quote, date: new Date(), text: reportText() });
+  }
+
+  /** The planner, to be asked about the best plan. */
+  private async withPlan(): Promise<Planner> {
+    const planner = await this.catalog.ready;
+    // The plan of before is not that of the choice.
+    if (this.state.applying) throw new Error(words.page.stillApplying);
+    return planner;
   }
 
   private choices(): Choices {
