@@ -46,4 +46,4 @@ pub use path::Path;
 pub(crate) use path::pin_ends;
 pub use segment::{Arc, Line, Segment};
 pub(crate) use union::Union;
-pub use winding::{Winding, interior_point, winding, winding_number};
+pub use winding::{Winding, filled_area, interior_point, winding, winding_number};

@@ -67,21 +67,43 @@ pub fn interior_point(path: &Path) -> Option<DVec2> {
     let mut best: Option<(f64, DVec2)> = None;
     for h in HEIGHTS {
         let y = b.min.y + (b.max.y - b.min.y) * h;
-        let mut crossings = Vec::new();
-        let mut cross = |x, rise| crossings.push((x, rise));
-        each_crossing(&path.segments, y, &mut cross);
-        closing_line(path, |line| each_crossing([line], y, &mut cross));
-        sort_by(&mut crossings, |c: &(f64, i32)| [real(c.0), whole(c.1.into()), 0]);
-        let mut number = 0;
-        for w in crossings.windows(2) {
-            number -= w[0].1;
-            let width = w[1].0 - w[0].0;
-            if number != 0 && width > best.map_or(0.0, |(w, _)| w) {
-                best = Some((width, DVec2::new(w[0].0 + width * 0.5, y)));
+        inner_stretches(path, y, |left, width| {
+            if width > best.map_or(0.0, |(w, _)| w) {
+                best = Some((width, DVec2::new(left + width * 0.5, y)));
             }
-        }
+        });
     }
     best.map(|(_, p)| p)
+}
+
+/// The area inside a path that may cross itself, mm2: of all points that it goes around, however often and in whichever
+/// direction. It is measured on 512 lines: for a disc or a star within 0.01 %.
+pub fn filled_area(path: &Path) -> f64 {
+    const LINES: u32 = 512;
+    let b = path.bounds();
+    let apart = (b.max.y - b.min.y) / f64::from(LINES);
+    let mut width = 0.0;
+    for line in 0..LINES {
+        inner_stretches(path, b.min.y + apart * (f64::from(line) + 0.5), |_, w| width += w);
+    }
+    width * apart
+}
+
+/// Calls `visit` with the left end and the width of each stretch of the horizontal line at `y` that the path, closed by a
+/// straight line where it is open, goes around.
+fn inner_stretches(path: &Path, y: f64, mut visit: impl FnMut(f64, f64)) {
+    let mut crossings = Vec::new();
+    let mut cross = |x, rise| crossings.push((x, rise));
+    each_crossing(&path.segments, y, &mut cross);
+    closing_line(path, |line| each_crossing([line], y, &mut cross));
+    sort_by(&mut crossings, |c: &(f64, i32)| [real(c.0), whole(c.1.into()), 0]);
+    let mut number = 0;
+    for w in crossings.windows(2) {
+        number -= w[0].1;
+        if number != 0 {
+            visit(w[0].0, w[1].0 - w[0].0);
+        }
+    }
 }
 
 /// Calls `visit(x, rise)` for every crossing of the elements with the horizontal line at `y`; `rise` is +1 where they

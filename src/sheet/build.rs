@@ -106,6 +106,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
         bridged: Arc::default(),
         joints: options.joints.clone(),
         choices: choices::by_contour(&options.contours),
+        joined_within: join,
         bounds,
         contours,
         layers,

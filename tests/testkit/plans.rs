@@ -146,6 +146,7 @@ pub(crate) fn plan_of(stops: Vec<Stop>, layers: &[(&str, i16)], profile: &Profil
         joints: Vec::new(),
         bridged: std::sync::Arc::default(),
         choices: Vec::new(),
+        joined_within: 0.0,
         outline: None,
         bounds,
         findings: vec![],

@@ -81,6 +81,7 @@ impl Builder {
                 joints: Vec::new(),
                 bridged: std::sync::Arc::default(),
                 choices: Vec::new(),
+                joined_within: 0.0,
                 outline: None,
                 bounds,
                 findings,

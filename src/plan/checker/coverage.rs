@@ -4,7 +4,7 @@
 //! in both directions, element by element, and compared at five points of each. A walk never turns back, so if its length
 //! is that of the contour, it has passed each place once.
 
-use super::tolerance::{SAME, rounding};
+use super::tolerance::{SAME, rounding, stretch};
 use crate::geometry::{DVec2, Path, Segment, math};
 
 /// Why a cut does not follow its contour.
@@ -26,7 +26,7 @@ pub(super) fn follows(contour: &Path, cut: &[Segment], gap: f64) -> Result<(), F
     let elements: Vec<Element> =
         contour.segments.iter().filter(|s| s.length() > 0.0).map(Element::new).collect();
     let length: f64 = elements.iter().map(|e| e.length).sum::<f64>() - gap;
-    let same = SAME + elements.iter().map(|e| e.slack).sum::<f64>();
+    let same = SAME + elements.iter().map(|e| e.slack + stretch(e.shape)).sum::<f64>();
     let Some(first) = cut.first() else { return Err(Fault::Length { worked: 0.0, length }) };
 
     let mut farthest: Option<(f64, Fault)> = None;
@@ -105,7 +105,7 @@ impl Walk<'_> {
             if length <= SAME * SAME {
                 continue;
             }
-            self.enter_next().ok_or(Fault::Strays(piece.start()))?;
+            self.enter_next(length).ok_or(Fault::Strays(piece.start()))?;
             let element = &self.elements[self.index];
             for t in [0.0, 0.25, 0.5, 0.75, 1.0] {
                 let there = (self.at + self.direction * t * length) / element.length;
@@ -124,14 +124,19 @@ impl Walk<'_> {
         Ok(())
     }
 
-    /// Continues from the end of an element to the next; `None` at the end of an open contour.
-    fn enter_next(&mut self) -> Option<()> {
+    /// Continues from the end of an element to the next, unless a piece of this length is what is left of the element; `None` at
+    /// the end of an open contour.
+    fn enter_next(&mut self, piece: f64) -> Option<()> {
         let element = &self.elements[self.index];
         let last = self.elements.len() - 1;
-        if self.direction > 0.0 && self.at >= element.length - SAME - element.slack {
+        let left = if self.direction > 0.0 { element.length - self.at } else { self.at };
+        if left > SAME + element.slack || piece <= left + SAME {
+            return Some(());
+        }
+        if self.direction > 0.0 {
             self.index = if self.index < last { self.index + 1 } else { self.closed.then_some(0)? };
             self.at = 0.0;
-        } else if self.direction < 0.0 && self.at <= SAME + element.slack {
+        } else {
             self.index = if self.index > 0 { self.index - 1 } else { self.closed.then_some(last)? };
             self.at = self.elements[self.index].length;
         }
@@ -197,6 +202,51 @@ mod tests {
             assert_eq!(follows(&slot, &cut.segments), Ok(()), "{k}");
             assert_eq!(follows(&slot, &cut.reversed().segments), Ok(()), "{k}");
         }
+    }
+
+    /// Four arcs around a disc as a drawing with six decimals has them: the last one ends beside the circle that it begins on.
+    fn disc_of_rounded_arcs() -> Path {
+        let p = DVec2::new;
+        let arc = |start, end, center| {
+            Segment::Arc(Arc { start, end, center, sweep: -std::f64::consts::FRAC_PI_2 })
+        };
+        let [east, south, west, north] = [
+            p(60.416_652, 49.071_419),
+            p(55.416_732, 44.071_499),
+            p(50.416_813, 49.071_419),
+            p(55.416_732, 54.071_338),
+        ];
+        Path::new(
+            vec![
+                arc(east, south, p(55.416_732, 49.071_419)),
+                arc(south, west, p(55.416_733_584, 49.071_419)),
+                arc(west, north, p(55.416_732, 49.071_419)),
+                arc(north, east, p(55.416_732, 49.071_417_283)),
+            ],
+            true,
+        )
+    }
+
+    #[test]
+    fn a_cut_that_begins_a_hair_before_the_end_of_an_element_follows() {
+        let disc = disc_of_rounded_arcs();
+        let length = disc.length();
+        for k in -60..60 {
+            let cut = disc.starting_at((length + 1e-7 * f64::from(k)) % length);
+            assert_eq!(follows(&disc, &cut.segments), Ok(()), "{k}");
+            assert_eq!(follows(&disc, &cut.reversed().segments), Ok(()), "{k}, backwards");
+        }
+    }
+
+    /// An arc that ends farther from its centre than it begins is longer backwards.
+    #[test]
+    fn a_cut_along_an_arc_that_is_longer_backwards_follows() {
+        let p = DVec2::new;
+        let arc = Arc { start: p(1.0, 0.0), end: p(-1.000_001, 0.0), center: DVec2::ZERO, sweep: 3.0 };
+        let line = Path::new(vec![Segment::Arc(arc)], false);
+        let back = line.reversed();
+        assert!((back.length() - line.length() - 3e-6).abs() < 1e-9);
+        assert_eq!(follows(&line, &back.segments), Ok(()));
     }
 
     #[test]

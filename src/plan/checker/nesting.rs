@@ -7,15 +7,20 @@ use crate::sheet::{Contour, Sheet};
 use static_aabb2d_index::{StaticAABB2DIndex, StaticAABB2DIndexBuilder};
 use std::f64::consts::TAU;
 
-/// Number of points of a contour that are checked: enough to find one outside where two contours cross.
+/// Number of points of a contour that are checked first: enough to find one outside of nearly every contour that does not
+/// lie inside.
 const SAMPLES: usize = 16;
+/// Number of points that are checked of a contour of many elements when those lie inside: contours that cross each other in
+/// small places only have few points outside.
+const MANY_SAMPLES: usize = 512;
 
 /// All pairs of a contour (first) and a cut contour that bounds an area around it (second), at any depth, sorted. What is left of an
 /// outline whose other sides are cut with its neighbours stands for the whole outline, which counts once however many pieces are left.
 ///
 /// A contour lies inside another if none of the sample points spread over it is outside, and at least one is inside and not
 /// on the outline. So duplicates lie inside neither, and a contour that crosses an outline does not lie inside it.
-/// Of two outlines that each lost sides, the larger one does not lie inside the smaller one, whatever is left of it.
+/// Of two outlines that each lost sides, the larger one does not lie inside the smaller one, whatever is left of it. Sides that two
+/// outlines shared were drawn beside each other, and ends of what is left were moved: what lies that near to an outline is on it.
 ///
 /// What lies inside a contour lies inside everything around that contour, so of thousands of rings around each other, each is
 /// compared with the next one only.
@@ -53,8 +58,11 @@ pub(super) fn pairs(sheet: &Sheet) -> Vec<(u32, u32)> {
         sort_by(&mut near, |&k| [k as u64, 0, 0]);
         near.retain(|&k| {
             let known = known_around[k] == Some(id);
-            if !known && lies_inside(&contour.path, outers[k].shape.path) {
-                around[outers[k].id as usize].iter().for_each(|&o| known_around[o] = Some(id));
+            let outer = &outers[k];
+            let is_rest = [contour, outer.contour].iter().any(|c| c.rest_of.is_some() && !c.path.closed);
+            let same = if is_rest { sheet.joined_within.max(SAME) } else { SAME };
+            if !known && lies_inside(&contour.path, outer.shape.path, same) {
+                around[outer.id as usize].iter().for_each(|&o| known_around[o] = Some(id));
                 return true;
             }
             known
@@ -104,16 +112,22 @@ fn index(outers: &[Outer]) -> Option<StaticAABB2DIndex<f64>> {
     builder.build().ok()
 }
 
-/// Whether sample points of a path show that it lies inside an outline.
-fn lies_inside(path: &Path, outer: &Path) -> bool {
+/// Whether sample points of a path show that it lies inside an outline. Points within `same` mm of the outline are on it.
+fn lies_inside(path: &Path, outer: &Path, same: f64) -> bool {
+    samples_inside(path, SAMPLES, outer, same)
+        && (path.segments.len() <= SAMPLES / 2 || samples_inside(path, MANY_SAMPLES, outer, same))
+}
+
+/// Whether of about so many points of a path none is outside, and one inside.
+fn samples_inside(path: &Path, samples: usize, outer: &Path, same: f64) -> bool {
     let segments = &path.segments;
-    let stride = segments.len().div_ceil(SAMPLES / 2).max(1);
+    let stride = segments.len().div_ceil(samples / 2).max(1);
     // Contours of few elements, such as circles, are checked at more points on each.
     let each = u32::try_from(SAMPLES.div_ceil(segments.len().max(1))).unwrap_or(1).max(2);
     let mut some_inside = false;
     for segment in segments.iter().step_by(stride) {
         for point in (0..each).map(|k| segment.at(f64::from(k) / f64::from(each))) {
-            if on(outer, point) {
+            if on(outer, point, same) {
                 continue;
             }
             if winding(outer, point) == 0.0 {
@@ -125,9 +139,9 @@ fn lies_inside(path: &Path, outer: &Path) -> bool {
     some_inside
 }
 
-fn on(path: &Path, point: DVec2) -> bool {
+fn on(path: &Path, point: DVec2, same: f64) -> bool {
     path.segments.iter().any(|s| {
-        let same = SAME + rounding(s);
+        let same = same + rounding(s);
         s.bounds().grown(same).contains(point) && s.nearest(point).1 <= same * same
     })
 }
@@ -184,7 +198,7 @@ mod tests {
         for (path, turns) in [(bitten(true), 1.0), (bitten(false), -1.0)] {
             for k in 0..4000_i32 {
                 let p = DVec2::new(f64::from(k % 63) / 12.0 - 2.6, f64::from(k / 63) / 12.0 - 2.6);
-                if on(&path, p) {
+                if on(&path, p, SAME) {
                     continue;
                 }
                 // Outside the three-quarter disc, or in the fourth quarter beyond both lines.

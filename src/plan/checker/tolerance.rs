@@ -18,3 +18,10 @@ pub(super) fn rounding(element: &Segment) -> f64 {
     let radius = if let Segment::Arc(a) = element { a.radius() } else { 0.0 };
     ROUNDINGS * f64::EPSILON * (ends + radius)
 }
+
+/// How much longer or shorter an element may be backwards, mm. The length of an arc is taken on the circle that it begins on, and
+/// its ends may lie at different distances from its centre.
+pub(super) fn stretch(element: &Segment) -> f64 {
+    let Segment::Arc(a) = element else { return 0.0 };
+    (a.end.distance(a.center) - a.radius()).abs() * a.sweep.abs()
+}

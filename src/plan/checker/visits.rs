@@ -6,7 +6,7 @@
 use super::coverage::{Fault, follows, leads};
 use super::joints;
 use super::leads::overcut;
-use super::tolerance::{SAME, rounding};
+use super::tolerance::{SAME, rounding, stretch};
 use super::violation::Violation;
 use crate::geometry::{Path, Segment};
 use crate::machine::Profile;
@@ -85,7 +85,8 @@ impl<'s> Visits<'s> {
         };
         let gap = self.gap.get(contour as usize).copied().unwrap_or_default();
         let gap = gap[0].max(gap[1]);
-        let length = known.path.length() - gap - SAME - known.path.segments.iter().map(rounding).sum::<f64>();
+        let slack: f64 = known.path.segments.iter().map(|s| rounding(s) + stretch(s)).sum();
+        let length = known.path.length() - gap - SAME - slack;
         let passes = self.passes.get(contour as usize).map_or(1, |&n| n as usize);
         if let Some((first, _)) = work.steps.filter(|_| work.length >= length) {
             if work.done.len() + 1 >= passes {

@@ -91,6 +91,8 @@ pub struct Sheet {
     pub joints: Vec<HandJoint>,
     /// What a person decided for single contours, by id.
     pub choices: Vec<ContourChoice>,
+    /// The largest distance by which ends were moved onto each other, mm ([`SheetOptions::join_tolerance`]).
+    pub joined_within: f64,
     /// Box around all contours that are cut or marked.
     pub bounds: Aabb,
     /// Findings of this stage.

@@ -15,44 +15,53 @@
 //! contours around one contour are therefore chained by area, as an elimination tree is built (J. W. H. Liu, "The role
 //! of elimination trees in sparse factorization", 1990): the smallest becomes the parent and passes the others on to be
 //! its own ancestors.
+//!
+//! What is left of an outline that shares sides with others may lie inside a contour that is smaller than the outline. It
+//! is cut before that contour all the same, so that the order is by area only where nothing else decides.
 
 mod boxes;
 mod slabs;
 
 use super::model::Contour;
-use crate::geometry::{Aabb, DVec2, Path, interior_point, winding_number};
+use crate::geometry::{Aabb, DVec2, Path, filled_area, interior_point, winding_number};
 use crate::order::{real, sort_by};
 use boxes::{Answer, BoxTree};
 use slabs::Slabs;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
 
 /// Largest number of boxes around a contour that are tested without success before it counts as lying in none.
 /// Interlocking parts overlap in a handful of boxes. A thousand C-shapes in each other are not a real sheet, but must
 /// not take a thousand times the time.
 const MAX_FAILED_BOXES: usize = 256;
 
+/// A point of an open line that is nearer to an outline is on it, mm: far above the rounding of coordinates.
+const ON_LINE: f64 = 1e-6;
+
 /// Sets `inside` and `depth` of all contours. `crossing` lists pairs of contours that cross. Touching contours may
 /// exceed each other's boxes by the distance that ends were moved, which is at most `slack` mm. An excluded contour
 /// lies in nothing and contains nothing. Returns `false` when a search was given up.
 pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64) -> bool {
-    // Contours around others come after them.
-    let mut order: Vec<u32> = (0_u32..).take(contours.len()).collect();
-    sort_by(&mut order, |&i| {
-        let c = &contours[i as usize];
-        [c.bounds_area().into(), real(size(c)), 0]
-    });
-    let mut place = vec![0; contours.len()];
-    for (k, &i) in order.iter().enumerate() {
-        place[i as usize] = k;
-    }
+    let sizes: Vec<f64> = contours.iter().map(size).collect();
+    let mut by_size: Vec<u32> = (0_u32..).take(contours.len()).collect();
+    sort_by(&mut by_size, |&i| [contours[i as usize].bounds_area().into(), real(sizes[i as usize]), 0]);
+    let place = places(&by_size);
     let mut around = crossed_by(contours, crossing, &place, slack);
-    let mut search = Search::new(contours, crossing, slack);
+    let mut search = Search::new(contours, &sizes, crossing, slack);
     let processed = (0_u32..).zip(&mut around).filter(|(i, _)| contours[*i as usize].is_processed());
     for (i, outer) in processed {
         search.add_around(i, outer);
     }
     let complete = search.complete;
+    // What is left of an outline lies in these, so that they do not lie in the outline.
+    for (rest, outer) in search.rests {
+        around[outer as usize].retain(|&o| o != rest);
+    }
+    let order = inside_out(&mut around, &by_size, &place);
+    let place = places(&order);
     for &i in &order {
         let mut outer = std::mem::take(&mut around[i as usize]);
+        outer.retain(|&o| place[o as usize] > place[i as usize]);
         sort_by(&mut outer, |&o| [place[o as usize] as u64, 0, 0]);
         outer.dedup();
         if let Some((&parent, rest)) = outer.split_first() {
@@ -69,16 +78,57 @@ pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64
     complete
 }
 
-/// The key by which contours are ordered so that those around others come later, mm2. It is the area, except for
-/// contours that cross themselves: their lobes cancel (a bow tie has area 0), so the area of their box counts. The rest
-/// of a shape beside an equal but slightly shifted shape may lie in that one, and never the other way round, so it
-/// counts as slightly smaller.
-fn size(c: &Contour) -> f64 {
-    if !c.self_crossing {
-        return if c.outline.is_some() { c.area * (1.0 - 1e-9) } else { c.area };
+/// The place of each contour in an order.
+fn places(order: &[u32]) -> Vec<usize> {
+    let mut place = vec![0; order.len()];
+    for (k, &i) in order.iter().enumerate() {
+        place[i as usize] = k;
     }
-    let box_size = c.boundary().unwrap_or(&c.path).bounds().size();
-    box_size.x * box_size.y
+    place
+}
+
+/// The contours in an order in which those around others come later, and otherwise by size. Where contours lie in each other
+/// in a circle, the smallest comes first. `place`: the place of each contour by size.
+fn inside_out(around: &mut [Vec<u32>], by_size: &[u32], place: &[usize]) -> Vec<u32> {
+    // For each contour, how many inside it are still to come.
+    let mut waits = vec![0_usize; by_size.len()];
+    for outer in around.iter_mut() {
+        sort_by(outer, |&o| [o.into(), 0, 0]);
+        outer.dedup();
+        outer.iter().for_each(|&o| waits[o as usize] += 1);
+    }
+    let free = by_size.iter().filter(|&&i| waits[i as usize] == 0);
+    let mut next: BinaryHeap<Reverse<usize>> = free.map(|&i| Reverse(place[i as usize])).collect();
+    let mut smallest = by_size.iter();
+    let mut order = Vec::with_capacity(by_size.len());
+    let mut is_taken = vec![false; by_size.len()];
+    while order.len() < by_size.len() {
+        // Without a free one, there is a circle.
+        let free = next.pop().map(|Reverse(k)| by_size[k]);
+        let Some(i) = free.or_else(|| smallest.find(|&&i| !is_taken[i as usize]).copied()) else { break };
+        if std::mem::replace(&mut is_taken[i as usize], true) {
+            continue;
+        }
+        order.push(i);
+        for &o in &around[i as usize] {
+            waits[o as usize] -= 1;
+            if waits[o as usize] == 0 {
+                next.push(Reverse(place[o as usize]));
+            }
+        }
+    }
+    order
+}
+
+/// The key by which contours are ordered so that those around others come later, mm2. It is the area; the lobes of contours
+/// that cross themselves cancel (a bow tie has area 0), so that theirs is measured. The rest of a shape beside an equal but
+/// slightly shifted shape may lie in that one, and never the other way round, so it counts as slightly smaller.
+fn size(c: &Contour) -> f64 {
+    match c.boundary() {
+        Some(boundary) if c.self_crossing => filled_area(boundary),
+        _ if c.outline.is_some() => c.area * (1.0 - 1e-9),
+        _ => c.area,
+    }
 }
 
 /// The box reduced by `slack` on every side, at most to its centre.
@@ -103,17 +153,20 @@ fn crossed_by(contours: &[Contour], crossing: &[(u32, u32)], place: &[usize], sl
 /// Search for the contours around a contour.
 struct Search<'c> {
     contours: &'c [Contour],
+    sizes: &'c [f64],
     /// All contours that may contain others.
     all: BoxTree,
     /// Those of them that may cross or overlap another one.
     crossed: BoxTree,
     slabs: Vec<Option<Slabs>>,
     slack: f64,
+    /// What is left of an outline, and a contour around it.
+    rests: Vec<(u32, u32)>,
     complete: bool,
 }
 
 impl<'c> Search<'c> {
-    fn new(contours: &'c [Contour], crossing: &[(u32, u32)], slack: f64) -> Self {
+    fn new(contours: &'c [Contour], sizes: &'c [f64], crossing: &[(u32, u32)], slack: f64) -> Self {
         let mut crosses = vec![false; contours.len()];
         for &(a, b) in crossing {
             crosses[a as usize] = true;
@@ -121,7 +174,7 @@ impl<'c> Search<'c> {
         }
         let item = |(i, c): (u32, &Contour)| {
             let bounds = c.outline.as_ref().map_or(c.bounds, Path::bounds);
-            c.bounds_area().then_some((bounds, size(c), i))
+            c.bounds_area().then_some((bounds, sizes[i as usize], i))
         };
         let items: Vec<_> = (0_u32..).zip(contours).filter_map(item).collect();
         // Shapes that lost a side shared with another one may overlap it without crossing it.
@@ -129,10 +182,12 @@ impl<'c> Search<'c> {
         let crossed = items.iter().filter(|i| shared || crosses[i.2 as usize]).copied();
         Self {
             contours,
+            sizes,
             crossed: BoxTree::new(crossed.collect()),
             all: BoxTree::new(items),
             slabs: contours.iter().map(|_| None).collect(),
             slack,
+            rests: Vec::new(),
             complete: true,
         }
     }
@@ -141,18 +196,22 @@ impl<'c> Search<'c> {
     fn add_around(&mut self, i: u32, outer: &mut Vec<u32>) {
         let contours = self.contours;
         let c = &contours[i as usize];
-        self.add_around_course(i, c.boundary().unwrap_or(&c.path), outer);
-        // The rest of a shape may lie inside something that the shape itself crosses.
+        self.add_around_course(i, (c.boundary().unwrap_or(&c.path), self.sizes[i as usize]), outer);
+        // The rest of a shape may lie inside something that the shape itself crosses, or that is smaller than the shape.
         if c.outline.is_some() {
-            self.add_around_course(i, &c.path, outer);
+            let before = outer.len();
+            self.add_around_course(i, (&c.path, 0.0), outer);
+            self.rests.extend(outer[before..].iter().map(|&o| (i, o)));
         }
     }
 
-    fn add_around_course(&mut self, i: u32, own: &Path, outer: &mut Vec<u32>) {
-        let Self { contours, all, crossed, slabs, slack, complete } = self;
+    /// `own`: the line of contour `i` or of its outline, and the size that contours around it exceed.
+    fn add_around_course(&mut self, i: u32, (own, least): (&Path, f64), outer: &mut Vec<u32>) {
+        let Self { contours, sizes, all, crossed, slabs, slack, complete, .. } = self;
         let c = &contours[i as usize];
-        let (inner, witnesses) = (shrunk(own.bounds(), *slack), witnesses(own));
         let is_rest = c.rest_of.is_some() && !own.closed;
+        let inner = shrunk(own.bounds(), *slack);
+        let witnesses = if is_rest { witnesses_of_rest(own) } else { witnesses(own) };
         let mut holds = |j: u32| {
             let other = &contours[j as usize];
             let Some(around) = other.boundary() else { return false };
@@ -160,14 +219,20 @@ impl<'c> Search<'c> {
             let same_shape =
                 other.outline.is_some() && other.rest_of == c.rest_of && other.operation == c.operation;
             let slabs = slabs[j as usize].get_or_insert_with(|| Slabs::new(around));
-            // The rest of a shape may run along the outline of its neighbour, which is neither inside nor outside.
-            let on_line = |p: DVec2| around.segments.iter().any(|s| s.nearest(p).1 <= *slack * *slack);
-            let inside = |p: DVec2| winding_number(slabs.at(around, p.y), p) != 0 && !(is_rest && on_line(p));
-            let held = || witnesses.iter().filter(|p| inside(**p)).count();
-            j != i && !same_shape && 2 * held() > witnesses.len()
+            // An open line may run along an outline, which is neither inside nor outside. The rest of a shape and the outline of
+            // its neighbour were drawn beside each other.
+            let beside = if is_rest { *slack } else { ON_LINE };
+            let on_line = |p: DVec2| around.segments.iter().any(|s| s.nearest(p).1 <= beside * beside);
+            let decide = || witnesses.iter().filter(|p| own.closed || !on_line(**p));
+            let inside = |p: DVec2| winding_number(slabs.at(around, p.y), p) != 0;
+            let held = || decide().map(|p| if inside(*p) { 1 } else { -1 }).sum::<i32>() > 0;
+            // Of two outlines that lost sides, the larger one does not lie inside the smaller one, whatever is left of it.
+            let is_smaller =
+                c.outline.is_some() && other.outline.is_some() && sizes[j as usize] < sizes[i as usize];
+            j != i && !same_shape && !is_smaller && held()
         };
         let mut left = MAX_FAILED_BOXES;
-        let smallest = all.smallest_around(&inner, size(c), |j| {
+        let smallest = all.smallest_around(&inner, least, |j| {
             left -= 1;
             match (holds(j), left) {
                 (true, _) => Answer::Found,
@@ -178,7 +243,7 @@ impl<'c> Search<'c> {
         *complete &= left > 0 || smallest.is_some();
         outer.extend(smallest);
         let mut left = MAX_FAILED_BOXES;
-        crossed.smallest_around(&inner, size(c), |j| {
+        crossed.smallest_around(&inner, least, |j| {
             left -= 1;
             if holds(j) {
                 outer.push(j);
@@ -187,6 +252,13 @@ impl<'c> Search<'c> {
         });
         *complete &= left > 0;
     }
+}
+
+/// Points that represent what is left of a shape: three on each of up to 32 elements, of which many may lie on the outlines of
+/// neighbours.
+fn witnesses_of_rest(path: &Path) -> Vec<DVec2> {
+    let stride = path.segments.len().div_ceil(32).max(1);
+    path.segments.iter().step_by(stride).flat_map(|s| [0.171, 0.413, 0.829].map(|f| s.at(f))).collect()
 }
 
 /// Points that represent the contour: one well inside a closed contour, three on an open one.
