@@ -1,8 +1,6 @@
-// kerfway serve: uploads of all kinds, errors with codes, keys, CORS, backpressure, an orderly stop, and its description.
+// kerfway serve: uploads of all kinds, errors with codes, keys, CORS, backpressure, and its description.
 
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
-import { once } from 'node:events';
 import { writeFileSync } from 'node:fs';
 import { connect } from 'node:net';
 import { join } from 'node:path';
@@ -16,7 +14,7 @@ import { DEFAULTS } from '../../dist/sdk/server/settings.js';
 import { safeName } from '../../dist/sdk/server/body.js';
 import { hostile } from './hostile.mjs';
 import { form, serve } from './serving.mjs';
-import { bytes, circle, CLI, dxf, folder, kerfway, KEYBOARD, shared, square } from './support.mjs';
+import { bytes, circle, dxf, folder, KEYBOARD, shared, square } from './support.mjs';
 
 const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
 const SHORT = 'moves=1000&seed=1';
@@ -248,19 +246,6 @@ describe('the service', () => {
     assert.equal(await metric('kerfway_errors_total'), full.length);
   });
 
-  it('finishes what runs when it is stopped, and refuses what comes then', async (t) => {
-    const { child, url, send, log } = await serve(t, '--workers', '1');
-    const running = send('/plan?seconds=2&seed=1', bytes(KEYBOARD));
-    await wait(800);
-    child.kill('SIGTERM');
-    await wait(200);
-    await assert.rejects(fetch(`${url}/healthz`));
-    assert.equal((await running).status, 200);
-    if (child.exitCode === null) await new Promise((resolve) => child.once('exit', resolve));
-    assert.deepEqual(log.map((l) => l.event), ['started', 'stopping', 'request', 'stopped']);
-    assert.equal(child.exitCode, 0);
-  });
-
   it('ends a slow upload and a drawing that takes too long', async (t) => {
     const { url, send } = await serve(t, '--upload-seconds', '0.5', '--deadline', '3');
     const { hostname, port } = new URL(url);
@@ -285,26 +270,6 @@ describe('the service', () => {
     const { valid, errors } = await new Validator().validate(structuredClone(described));
     assert.equal(valid, true, JSON.stringify(errors));
     // tests/package/matrix/service.test.mjs generates a client from it.
-  });
-
-  it('as a worker without its queue did not stop when it was told to', async () => {
-    const child = spawn(process.execPath, [CLI, 'work', '--queue', 'redis://127.0.0.1:1', '--workers', '1'], { stdio: ['ignore', 'pipe', 'ignore'] });
-    await once(child.stdout, 'data');
-    child.kill('SIGTERM');
-    const [code] = await Promise.race([once(child, 'exit'), wait(20_000, ['still running'])]);
-    child.kill('SIGKILL');
-    assert.equal(code, 0);
-  });
-
-  it('is started with settings that make sense, or not at all', async (t) => {
-    for (const [args, exit, says] of [
-      [['--port', '99999'], 2, /--port 99999/], [['--host', '203.0.113.1', '--port', '0'], 1, /This computer has no such address\. Choose another with --host\./], [['--workers', '0'], 2, /--workers 0/], [['--cors', 'shop.example'], 2, /--cors/], [['plate.dxf'], 2, /options only/],
-      [['--keys', join(folder(t), 'none')], 1, /cannot be read/], [['--queue', 'localhost'], 2, /--queue/],
-    ]) {
-      const { code, stderr } = await kerfway('serve', ...args);
-      assert.deepEqual([code, says.test(stderr)], [exit, true], stderr);
-    }
-    assert.equal((await kerfway('work')).code, 2);
   });
 });
 
