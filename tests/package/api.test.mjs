@@ -25,6 +25,13 @@ describe('docs/api', () => {
   });
 });
 
+it('the types for CommonJS lacked half of the functions', async () => {
+  for (const [file, exported] of [['node-types.d.cts', kerfway], ['portable-types.d.cts', await import('kerfway/portable')]]) {
+    const declared = [...readFileSync(join(SDK, file), 'utf8').matchAll(/^export declare const (\w+)/gm)].map(([, name]) => name);
+    assert.deepEqual(declared.sort(), Object.keys(exported).sort(), file);
+  }
+});
+
 describe('the documentation', () => {
   const pagesOf = [ROOT, join(ROOT, 'examples'), DOCS, join(DOCS, 'api'), join(DOCS, 'internals')].filter(existsSync).flatMap(markdownIn);
 
