@@ -66,6 +66,7 @@ describe('drawings that were read', () => {
     for (const nothing of NOTHING) {
       await refused(() => partThumbnail(nothing, 0), 'wrong-type', 'loaded');
       await refused(() => activeContours(nothing), 'wrong-type', 'loaded');
+      await refused(() => activeContours({ contours: nothing === null ? {} : null }), 'wrong-type', 'loaded');
     }
     // What the command line and the service write of a drawing is without geometry.
     const { geometry: _, ...described } = planned.loaded;
@@ -89,11 +90,21 @@ describe('machines', () => {
   });
 
   it('without leads and joints have no settings, and what is undefined has its default', () => {
-    for (const none of [null, undefined, {}, { rules: [] }, { rules: null }]) assert.deepEqual([leadSettings(none), jointSettings(none)], [null, null]);
+    for (const none of [null, undefined, {}, { rules: [] }, { rules: null }, { rules: 5 }]) assert.deepEqual([leadSettings(none), jointSettings(none)], [null, null]);
     assert.deepEqual(leadRules({ length: undefined, kind: 'line' }), leadRules({ kind: 'line' }));
     assert.deepEqual(jointRules({ sizeMin: undefined, count: 3 }), jointRules({ count: 3 }));
-    assert.deepEqual([leadSettings(leadRules(null)), jointSettings(jointRules(null))], [DEFAULT_LEADS, DEFAULT_JOINTS]);
+    assert.deepEqual([leadSettings(leadRules()), jointSettings(jointRules())], [DEFAULT_LEADS, DEFAULT_JOINTS]);
     assert.deepEqual([given(null), given({ a: undefined, b: 0 })], [{}, { b: 0 }]);
+  });
+
+  it('took settings of rules that there are not, or of another type', async () => {
+    for (const rules of [leadRules, jointRules]) for (const nothing of [null, 5, 'text', []]) await refusal(() => rules(nothing));
+    assert.equal(await refused(() => leadRules({ lenght: 3 }), 'unknown-field', 'lenght'), 'A lead has no setting "lenght". Did you mean "length"?');
+    // An angle of null was one of 0.
+    assert.equal(await refused(() => leadRules({ angle: null }), 'wrong-type', 'angle'), 'The setting "angle" is null. Give a number.');
+    await refused(() => leadRules({ kind: 5 }), 'wrong-type', 'kind');
+    await refused(() => jointRules({ count: '2' }), 'wrong-type', 'count');
+    for (const size of [null, 5, [1]]) await refused(() => jointRules({ sizeMin: size }), 'wrong-type', 'sizeMin');
   });
 
   it('are calibrated with plans and seconds', async () => {
@@ -162,6 +173,22 @@ describe('callbacks that are none', () => {
 
   it('are refused by the functions, too', async () => {
     for (const name of ['onLoaded', 'onProgress', 'signal']) await refused(() => plan(PLATE, { ...SHORT, [name]: 5 }), 'wrong-type', name);
+  });
+});
+
+describe('a planner that was closed, also twice', () => {
+  it('refuses every call as closed', async () => {
+    const closed = await createPlanner();
+    const [machine] = closed.machines;
+    closed.close();
+    closed.close();
+    for (const call of [
+      () => closed.load(PLATE, 'plate.dxf'), () => closed.reload({}), () => closed.plan().done, () => closed.plan().started, () => closed.continue({ moves: 1 }).done, () => closed.prove(), () => closed.offer({}),
+      () => closed.output('svg'), () => closed.quote(), () => closed.check(), () => closed.sampleProgram(), () => closed.paperMethods(), () => closed.calibrate(machine, [{ plan: '{}', seconds: 1 }]),
+    ]) {
+      const { code, message } = await refusal(call);
+      assert.deepEqual([code, message], ['closed', 'The planner was closed.']);
+    }
   });
 });
 

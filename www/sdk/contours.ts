@@ -1,12 +1,12 @@
 /** The contours of a drawing that was read. */
 
-import { isRecord } from './check.js';
+import { isList, isRecord } from './check.js';
 import { KerfwayError } from './errors.js';
 import type { ContourInfo, Loaded } from './protocol.js';
 
 /** Throws a `KerfwayError` unless these lists and objects of a drawing that was read are there. */
 export function checkLoaded(loaded: unknown, ...needed: (keyof Loaded)[]): void {
-  if (isRecord(loaded) && needed.every((name) => typeof loaded[name] === 'object' && loaded[name] !== null)) return;
+  if (isRecord(loaded) && needed.every((name) => (name === 'geometry' ? isRecord : isList)(loaded[name]))) return;
   throw new KerfwayError('wrong-type', 'This is no drawing that was read: give what load or inspect returns.', { field: 'loaded' });
 }
 

@@ -3,8 +3,8 @@
  * profile from that; profiles may have any other rules as well.
  */
 
-import { given } from './options.js';
 import type { JointKind, JointRule, Joints, SizeTest } from './protocol.js';
+import { withDefaults } from './rule-settings.js';
 
 /** Whether the head stops at a joint. */
 export const JOINT_KINDS: readonly JointKind[] = ['stop', 'flying'];
@@ -43,7 +43,7 @@ const isAny = ([x, y]: readonly [number, number]) => x === 0 && y === 0;
 
 /** The rule of a machine profile for these settings; what is not given has its default ({@link DEFAULT_JOINTS}). */
 export function jointRules(settings: Partial<JointPattern> = {}): Joints {
-  const s = { ...DEFAULT_JOINTS, ...given(settings) };
+  const s = withDefaults('A joint', DEFAULT_JOINTS, settings);
   const rule: JointRule = { count: s.count, width: s.width, corner_clearance: s.cornerClearance, kind: s.kind };
   if (s.spacing !== 0) rule.spacing = s.spacing;
   if (s.side !== 'both') rule.side = s.side;
@@ -55,7 +55,7 @@ export function jointRules(settings: Partial<JointPattern> = {}): Joints {
 
 /** The settings of rules that are one rule; `null` for several, and for a machine without joints. */
 export function jointSettings(joints: Joints | null | undefined): JointPattern | null {
-  const [rule, second] = joints?.rules ?? [];
+  const [rule, second] = Array.isArray(joints?.rules) ? joints.rules : [];
   if (rule == null || second !== undefined) return null;
   return {
     // These are the defaults of rules, which fit every contour.

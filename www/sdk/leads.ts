@@ -3,8 +3,8 @@
  * machine profile from that; profiles may have any other rules as well.
  */
 
-import { given } from './options.js';
 import type { LeadKind, LeadPosition, LeadShape, Leads } from './protocol.js';
+import { withDefaults } from './rule-settings.js';
 
 /** The forms of a lead that joins a contour anywhere. */
 export const LEAD_KINDS: readonly LeadKind[] = ['none', 'line', 'arc', 'line-arc'];
@@ -39,7 +39,7 @@ export const DEFAULT_LEADS: Readonly<LeadChoice> = {
 
 /** The rules of a machine profile for these settings; what is not given has its default ({@link DEFAULT_LEADS}). */
 export function leadRules(settings: Partial<LeadChoice> = {}): Leads {
-  const s = { ...DEFAULT_LEADS, ...given(settings) };
+  const s = withDefaults('A lead', DEFAULT_LEADS, settings);
   const shape = (kind: LeadKind): LeadShape => ({ kind, length: s.length, radius: s.radius, angle: (s.angle * Math.PI) / 180 });
   const small = s.centerBelow !== 0 && s.kind !== 'none'
     ? [{ side: 'hole' as const, diameter_below: s.centerBelow, lead_in: shape('center'), overcut: s.overcut }] : [];
@@ -48,7 +48,7 @@ export function leadRules(settings: Partial<LeadChoice> = {}): Leads {
 
 /** The settings that these rules were made from; `null` for rules of another form, and for a machine without leads. */
 export function leadSettings(leads: Leads | null | undefined): LeadChoice | null {
-  const last = leads?.rules?.at(-1);
+  const last = Array.isArray(leads?.rules) ? leads.rules.at(-1) : undefined;
   if (leads == null || last?.lead_in == null) return null;
   const { length, radius, angle } = { ...DEFAULT_LEADS, ...last.lead_in };
   const small = leads.rules.length > 1 ? leads.rules[0]! : undefined;

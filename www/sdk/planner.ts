@@ -144,6 +144,7 @@ export class Planner {
    */
   offer(path: WarmPath): Promise<Progress | null> {
     return quietAtClose(async () => {
+      this.worker.refuseClosed();
       const plan = this.worker.current;
       if (plan === null) throw new KerfwayError('no-plan', 'There is no plan to offer a path to. Start one first.');
       const own = copied(path);
