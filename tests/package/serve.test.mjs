@@ -6,6 +6,7 @@ import { connect } from 'node:net';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
+import { gzipSync } from 'node:zlib';
 import { Validator } from '@seriousme/openapi-schema-validator';
 import { quote } from 'kerfway';
 import { keysIn } from '../../dist/sdk/server/keys.js';
@@ -106,10 +107,16 @@ describe('the service', () => {
     assert.equal(await field('/plan?moves.foo=10', 400, 'unknown-field'), 'moves.foo');
     assert.equal(await field('/plan?machine=co2-100w&machine.kerf_width=0.2', 400, 'unknown-field'), 'machine.kerf_width');
     assert.equal(await field('/quote?moves=1000&moves=2000', 400, 'wrong-type'), 'moves');
+    // The first was taken, and the second had no effect.
+    for (const twice of ['name=a&name=b', 'options={}&options={"units":"in"}', 'acceptGuess=true&acceptGuess=false']) assert.equal(await field(`/plan?${twice}`, 400, 'wrong-type'), twice.split('=')[0]);
     await refused(await send('/quote', new Uint8Array(0)), 422, 'not-a-drawing');
     const large = await refused(await send('/quote', new Uint8Array(200_000)), 413, 'too-large');
     assert.equal(large.message, 'The body has more than 0.1 MB, which is the limit of this service.');
     await refused(await send('/quote', PLATE, { headers: { 'content-type': 'multipart/mixed; boundary=x' } }), 415, 'unsupported-media-type');
+    // It was read as a damaged drawing.
+    const packed = await refused(await send('/inspect', gzipSync(PLATE), { headers: { 'content-encoding': 'gzip' } }), 415, 'unsupported-media-type');
+    assert.equal(packed.message, 'The body is encoded as "gzip". Send it as it is, without a content encoding.');
+    assert.equal((await send('/inspect', PLATE, { headers: { 'content-encoding': 'identity' } })).status, 200);
     await refused(await send('/quote', `--x\r\nContent-Disposition: form-data; name="a"\r\n\r\n`), 415, 'unsupported-media-type');
     await refused(await fetch(`${url}/nothing`), 404, 'not-found');
     const wrong = await fetch(`${url}/quote`);
@@ -124,7 +131,9 @@ describe('the service', () => {
     const many = form(PLATE, 'a.dxf', Object.fromEntries(Array.from({ length: 40 }, (_, k) => [`f${k}`, 'x'])));
     const none = new FormData();
     none.set('options', '{}');
-    for (const body of [two, many, none]) await refused(await send('/quote', body), 400, 'malformed-form');
+    const twice = form(PLATE, 'a.dxf', { options: { moves: 1000 } });
+    twice.append('options', '{}');
+    for (const body of [two, many, none, twice]) await refused(await send('/quote', body), 400, 'malformed-form');
     for (const type of ['multipart/form-data', 'multipart/form-data; boundary=other']) await refused(await send('/quote', PLATE, { headers: { 'content-type': type } }), 400, 'malformed-form');
   });
 
