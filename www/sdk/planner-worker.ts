@@ -30,6 +30,7 @@ interface Told {
 
 const CLOSED = 'The planner was closed.';
 
+/** The worker of one planner, from its start to its end. */
 export class PlannerWorker {
   /** The drawing in the worker. */
   drawing: Drawing | null = null;

@@ -95,9 +95,7 @@ export class Planner {
 
   /** The methods of published papers, with their parameters. They are in a wasm file of their own, which the first call loads. */
   paperMethods(): Promise<PaperMethod[]> {
-    return quietAtClose(async () => {
-      return (await this.worker.ask<'papers'>((id) => ({ type: 'papers', id }))).methods;
-    });
+    return quietAtClose(async () => (await this.worker.ask<'papers'>((id) => ({ type: 'papers', id }))).methods);
   }
 
   /**

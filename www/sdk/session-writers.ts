@@ -18,6 +18,7 @@ export interface WriterFiles {
   png(): Promise<Png>;
 }
 
+/** The files of one session, and what they do. */
 export class Writers {
   /** The wasm of the writers, where the worker cannot load it itself. */
   given: WasmModule | WasmBytes | undefined;
