@@ -55,10 +55,8 @@ app.use((error, _request, response, _next) => {
 });
 
 const server = app.listen(process.env.PORT ?? 3000, () => console.log(`Send drawings to http://localhost:${server.address().port}/quotes`));
-process.on('SIGTERM', () => {
-  server.close();
-  pool.close();
-});
+// What runs and waits is finished first.
+process.on('SIGTERM', () => server.close(() => pool.close()));
 
 function problem(response, status, text) {
   response.status(status).json({ problem: text });

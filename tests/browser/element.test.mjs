@@ -52,6 +52,23 @@ describe('<kerfway-planner>', () => {
     assert.ok(Math.abs(length / result.summary.cut_length - 1) < 1e-3, `${length} mm against ${result.summary.cut_length}`);
   });
 
+  it('plans with options that its framework has set to nothing, and says that nothing is no drawing', async (t) => {
+    const { page } = await open(t, 'moves="100" units="mm" seed="1"');
+    const told = await page.evaluate(async (text) => {
+      const element = document.querySelector('kerfway-planner');
+      const drawing = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+      const contours = [];
+      for (const options of [null, undefined]) {
+        element.options = options;
+        contours.push((await element.open(drawing, 'plate.dxf')).summary.contours);
+      }
+      const refused = [];
+      for (const nothing of [null, undefined]) refused.push(await element.open(nothing).catch((error) => error.code));
+      return { contours, refused, state: element.state };
+    }, base64(PLATE));
+    assert.deepEqual(told, { contours: [2, 2], refused: ['not-bytes', 'not-bytes'], state: 'failed' });
+  });
+
   it('takes a file that is dropped on it, and draws contours and way in its host\'s colours', async (t) => {
     const { page } = await open(t, 'moves="100" units="mm"');
     await page.evaluate((text) => {

@@ -47,6 +47,20 @@ function isInItsColour(canvas) {
 }
 
 describe('<kerfway-quote>', () => {
+  it('reports again for another attribute after its material was set to nothing', async (t) => {
+    const { page } = await open(t, 'thickness="3" density="7.85" moves="100" seed="1"');
+    await choose(page, 'plate.dxf', PLATE);
+    await state(page, 'done');
+    // As React does with a property that is taken away.
+    await page.evaluate(() => (document.querySelector('kerfway-quote').material = undefined));
+    await count(page, 2);
+    await page.evaluate(() => document.querySelector('kerfway-quote').setAttribute('thickness', '6'));
+    await count(page, 3);
+    const weights = (await results(page)).map(({ weight }) => weight);
+    assert.equal(weights[1], weights[0]);
+    assert.ok(Math.abs(weights[2] - 2 * weights[0]) < 1e-9, String(weights));
+  });
+
   it('speaks the language of its host, and chooses sentences by the code of an error', async (t) => {
     const { page } = await open(t);
     await page.evaluate(() => {

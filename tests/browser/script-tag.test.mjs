@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { after, before, describe, it } from 'node:test';
-import { plan } from 'kerfway';
+import * as kerfway from 'kerfway';
 import { serve } from '../../scripts/serve.mjs';
 import { DIST, ROOT } from '../../scripts/tools.mjs';
 import { bytes, fixture, KEYBOARD } from '../package/support.mjs';
@@ -53,13 +53,18 @@ for (const place of ['disk', 'http']) {
         const withKerf = await Kerfway.plan(drawing, { units: 'mm', seed: 4, moves: 1000, machine: { ...machine, kerf_width: 0.2 } });
         return { outputs, papers, png, machine, cutWithKerf: withKerf.summary.cut_length };
       }, { file: base64(bytes(KEYBOARD)), options });
-      const { outputs } = await plan(bytes(KEYBOARD), options);
+      const { outputs } = await kerfway.plan(bytes(KEYBOARD), options);
       assert.ok(here.outputs.json === outputs.json, 'another plan than under Node');
       assert.ok(here.outputs.gcode === outputs.gcode, 'another program than under Node');
       assert.match(here.papers, /single-file build reads no SVG, has no methods from papers, and does not plan the levers fly, chains, bridges, common_cuts, tips, heat and corners/);
       assert.match(here.png, /single-file build writes no PNG/);
-      const withKerf = await plan(bytes(KEYBOARD), { units: 'mm', seed: 4, moves: 1000, machine: { ...here.machine, kerf_width: 0.2 } });
+      const withKerf = await kerfway.plan(bytes(KEYBOARD), { units: 'mm', seed: 4, moves: 1000, machine: { ...here.machine, kerf_width: 0.2 } });
       assert.equal(here.cutWithKerf, withKerf.summary.cut_length);
+    });
+
+    it('every function of the package is there', async () => {
+      const here = await page.evaluate(() => Object.keys(Kerfway));
+      assert.deepEqual(Object.keys(kerfway).filter((name) => !here.includes(name)), []);
     });
 
     it('the example tells the time of the job and counts the lines', async () => {

@@ -25,6 +25,21 @@ describe('docs/api', () => {
   });
 });
 
+it('the types of the elements for JSX and templates lacked attributes that the documents name', () => {
+  const page = readFileSync(join(DOCS, 'embedding.md'), 'utf8');
+  const types = readFileSync(join(SDK, 'element', 'attributes.d.ts'), 'utf8');
+  const named = [...page.matchAll(/^\| Attributes \|([^|]+)\|/gm)].flatMap(([, row]) => [...row.matchAll(/`([\w-]+)`/g)].map(([, name]) => name));
+  assert.ok(named.length >= 12, named.join());
+  assert.deepEqual(named.filter((name) => !new RegExp(`^ *'?${name}'?\\?:`, 'm').test(types)), []);
+});
+
+it('the types for CommonJS lacked half of the functions', async () => {
+  for (const [file, exported] of [['node-types.d.cts', kerfway], ['portable-types.d.cts', await import('kerfway/portable')]]) {
+    const declared = [...readFileSync(join(SDK, file), 'utf8').matchAll(/^export declare const (\w+)/gm)].map(([, name]) => name);
+    assert.deepEqual(declared.sort(), Object.keys(exported).sort(), file);
+  }
+});
+
 describe('the documentation', () => {
   const pagesOf = [ROOT, join(ROOT, 'examples'), DOCS, join(DOCS, 'api'), join(DOCS, 'internals')].filter(existsSync).flatMap(markdownIn);
 

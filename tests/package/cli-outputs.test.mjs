@@ -134,6 +134,14 @@ describe('outputs of one drawing', () => {
     closeSync(full);
   });
 
+  it('are those of one of two commands that write the same files at once, and whole', async (t) => {
+    const [from, to] = [inputs(t), folder(t)];
+    const plan = (seed) => run(['plan', join(from, 'a.dxf'), ...QUICK, '--seed', seed, '--json', join(to, 'a.json'), '--quiet']);
+    for (const ran of await Promise.all(['1', '2', '3'].map(plan))) assert.equal(ran.code, 0, ran.stderr);
+    assert.ok([1, 2, 3].includes(JSON.parse(readFileSync(join(to, 'a.json'), 'utf8')).seed));
+    assert.deepEqual(readdirSync(to), ['a.json']);
+  });
+
   it('are written even if the reader of standard output stops', { skip: !POSIX && 'there is no shell' }, async (t) => {
     const [from, to] = [inputs(t), folder(t)];
     const program = join(to, 'a.nc');

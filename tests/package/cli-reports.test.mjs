@@ -47,6 +47,15 @@ describe('reports of the command line', () => {
     assert.equal(JSON.parse(piped.stdout).name, 'co2-100w');
   });
 
+  it('calibrate named all its plans when one of them could not be used', async (t) => {
+    const { at, path } = drawing(t);
+    const [plan, other] = [join(at, 'plan.json'), join(at, 'other.json')];
+    await kerfway('plan', path, '--moves', '1', '--seed', '1', '--json', plan);
+    writeFileSync(other, '{}');
+    const { code, stderr } = await kerfway('calibrate', `${plan}=8`, `${other}=9`);
+    assert.deepEqual([code, stderr], [1, `kerfway: ${other}: This is not a plan of the kind kerfway.plan/1: it has no text \`schema\`.\n`]);
+  });
+
   it('check of a program that cuts nothing counts no contours and reaches nowhere', async (t) => {
     const { at } = drawing(t);
     const program = join(at, 'empty.nc');

@@ -153,3 +153,12 @@ it('a job without certificates says why', async (t) => {
   assert.match(stderr, /There is no certificate: Certificates are not written for fewer than two contours\./);
   assert.equal((await kerfway('plan', at('plate.dxf'), '--bound', '-1')).code, 2);
 });
+
+it('a certificate whose drawing has a damaged name ended in an error of the engine', async (t) => {
+  const at = workshop(t);
+  for (const name of ['\\q', 'a\nb']) {
+    writeFileSync(at('a.json'), `{"schema":"kerfway.certificate/1","drawing":{"name":"${name}"}}`);
+    const { code, stderr } = await kerfway('verify', at('a.json'));
+    assert.deepEqual([code, stderr], [1, `kerfway: ${at('a.json')} names no drawing: either it is no certificate, or give its drawing after it.\n`]);
+  }
+});

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
+import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
 import { quote } from 'kerfway';
@@ -163,9 +164,14 @@ describe('the upload server', () => {
     assert.equal((await health()).waiting, 0);
   });
 
-  it('ends when told to', async () => {
+  it('ends when told to, and answers first what it has received', async () => {
+    const sent = Array.from({ length: availableParallelism() + 1 }, () => send(bytes('sheets/sheet_2000.dxf')));
+    // One waits, so the others have arrived.
+    while ((await health()).waiting === 0) await new Promise((resolve) => setImmediate(resolve));
+    const exited = once(server, 'exit');
     server.kill('SIGTERM');
-    const [code] = await once(server, 'exit');
+    assert.deepEqual((await Promise.all(sent)).map((answer) => answer.status), sent.map(() => 200));
+    const [code] = await exited;
     assert.equal(code, 0);
   });
 });

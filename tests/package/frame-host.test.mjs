@@ -88,3 +88,21 @@ it('a frame that was loaded again left its calls waiting, without options and ma
   assert.deepEqual([code, retryable, started], ['planner-died', true, 2]);
   assert.deepEqual(accepted(), [{ type: 'options', options: { seconds: 1 } }, { type: 'material', material: { thickness: 3 } }]);
 });
+
+it('a frame that is none was a TypeError of the engine, or never answered', () => {
+  globalThis.location = { href: 'https://shop.example/' };
+  for (const none of [null, undefined, 5, {}, { src: '' }, { src: null }]) {
+    assert.throws(() => connectFrame(none), { name: 'KerfwayError', code: 'wrong-type', params: { field: 'iframe' }, message: /^The frame is .*, not an iframe with an address\. Give the element once its src is set\.$/ });
+  }
+  assert.throws(() => connectFrame({ src: `${ORIGIN}/frame.html` }, null), { code: 'wrong-type', params: { field: 'listener' } });
+});
+
+it('options that are null, and a material that is undefined, were no refusals', async () => {
+  const { frame, accepted, ready } = hosted();
+  ready();
+  accepted();
+  await assert.rejects(frame.render('svg', null), { name: 'KerfwayError', code: 'wrong-type' });
+  for (const none of [null, undefined]) assert.throws(() => frame.setMaterial(none), { code: 'wrong-type', params: { field: 'material', value: 'null' } });
+  assert.throws(() => frame.setOptions(null), { code: 'wrong-type' });
+  assert.deepEqual(accepted(), []);
+});

@@ -6,7 +6,7 @@ import { createRequire } from 'node:module';
 import { describe, it } from 'node:test';
 import { createPlanner, inspect, plan, render } from 'kerfway';
 import { createFunctions } from '../../dist/sdk/functions.js';
-import { abortable } from '../../dist/sdk/with-planner.js';
+import { abortable, withNewPlanner } from '../../dist/sdk/with-planner.js';
 import { bytes, circle, dxf, KEYBOARD, square } from './support.mjs';
 
 const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
@@ -149,6 +149,24 @@ describe('jobs that share one planner, as those of an element do', () => {
     await assert.rejects(older, { name: 'AbortError' });
     await new Promise((resolve) => setTimeout(resolve, 100));
     await assert.rejects(planner.output('json'), /no plan yet/);
+  });
+});
+
+describe('a planner that is still starting', () => {
+  it('kept a call that was aborted waiting, and read its file', async () => {
+    const calls = [];
+    let start;
+    const opening = new Promise((resolve) => (start = resolve));
+    const functions = createFunctions(withNewPlanner(() => opening));
+    const control = new AbortController();
+    const inspected = functions.inspect(() => (calls.push('read'), PLATE), { signal: control.signal });
+    await new Promise((resolve) => setTimeout(resolve, 1));
+    const reason = new Error('changed my mind');
+    control.abort(reason);
+    await assert.rejects(inspected, reason);
+    start({ close: () => calls.push('close'), load: async () => calls.push('load') });
+    await new Promise((resolve) => setTimeout(resolve, 1));
+    assert.deepEqual(calls, ['close']);
   });
 });
 

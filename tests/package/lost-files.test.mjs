@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import * as kerfway from 'kerfway';
-import { circle, dxf, folder, ROOT, square } from './support.mjs';
+import { circle, dxf, folder, ran, ROOT, square } from './support.mjs';
 
 const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
 const SHORT = { units: 'mm', seed: 1, moves: 500 };
@@ -92,4 +92,21 @@ it("the planner's own file is named, whether it is damaged, elsewhere or given a
   for (const options of [{ wasmUrl: nowhere }, { wasmUrl: pathToFileURL(nowhere) }, { wasm: new Uint8Array([1, 2, 3]) }, { wasm: 'kerfway.wasm' }]) {
     for (const worker of [true, false]) await assert.rejects(kerfway.createPlanner({ ...options, worker }), refused, JSON.stringify(options));
   }
+});
+
+it('the command line says so in one sentence, and not by a list of calls', async (t) => {
+  const at = folder(t);
+  cpSync(join(ROOT, 'dist', 'sdk'), at, { recursive: true });
+  writeFileSync(join(at, 'package.json'), '{ "type": "module" }');
+  writeFileSync(join(at, 'plate.dxf'), PLATE);
+  writeFileSync(join(at, 'a.tsp'), 'NAME: a\nTYPE: TSP\nDIMENSION: 1\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n1 0 0\nEOF\n');
+  damaged.damaged(join(at, 'pkg', 'kerfway_bg.wasm'));
+  damaged.missing(join(at, 'pkg', 'kerfway_research_bg.wasm'));
+  for (const [name, ...args] of [['kerfway', 'inspect', join(at, 'plate.dxf')], ['kerfway', 'plan', join(at, 'plate.dxf')], ['kerfway_research', 'solve', join(at, 'a.tsp')], ['kerfway_research', 'verify', join(at, 'a.tsp'), join(at, 'plate.dxf')]]) {
+    const { code, stderr } = await ran([join(at, 'cli.js'), ...args]);
+    assert.equal(code, 1, stderr);
+    assert.match(stderr, new RegExp(`^kerfway: The file ${name}_bg\\.wasm cannot be loaded: .*\\. Check that all files of the package are there and can be reached, then try again\\.\\n$`));
+  }
+  const { code, stdout } = await ran([join(at, 'cli.js'), 'inspect', join(at, 'plate.dxf'), '--json', '-']);
+  assert.deepEqual([code, JSON.parse(stdout).schema, JSON.parse(stdout).error.code], [1, 'kerfway.error/1', 'not-started']);
 });

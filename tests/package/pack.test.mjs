@@ -139,8 +139,10 @@ describe('the published package', () => {
       console.log(text, picture, svg, other, inspect);`;
     writeFileSync(join(at, 'use.ts'), program);
     writeFileSync(join(at, 'common.cts'), `
-      import { plan, type Planned } from 'kerfway';
+      import { leadRules, plan, readProject, type Planned, type Project } from 'kerfway';
       import kerfway = require('kerfway');
+      const project: Promise<Project> = readProject(new Uint8Array(0));
+      console.log(leadRules({ kind: 'arc' }).rules.length, project, kerfway.PROVEN);
       const planned: Promise<Planned> = plan(new Uint8Array(0), { seconds: 1 });
       void planned.then((p: kerfway.Planned) => p.summary.total_time);`);
     // The names of the elements were unknown to hosts that import their classes.
@@ -149,10 +151,29 @@ describe('the published package', () => {
       const quote: KerfwayQuote | null = document.querySelector('kerfway-quote');
       document.createElement('kerfway-planner').stop();
       document.createElement('kerfway-quote').price = (report) => report.hash + String(quote);`);
+    // `error` and `progress` had the types of the DOM's events, and `result` that of any event.
+    writeFileSync(join(at, 'events.ts'), `
+      import 'kerfway/element';
+      import type { ErrorReport, Planned, Progress, Quote } from 'kerfway';
+      const planner = document.createElement('kerfway-planner');
+      planner.addEventListener('error', ({ detail }) => { const report: ErrorReport = detail; console.log(report.code); });
+      planner.addEventListener('progress', ({ detail }) => { const progress: Progress = detail; console.log(progress.moves); }, { once: true });
+      planner.addEventListener('result', ({ detail }) => { const planned: Planned<'gcode'> = detail; console.log(planned.outputs.gcode); });
+      planner.addEventListener('ready', function ({ detail }) { console.log(this.result, detail.machines[0]?.name); });
+      planner.addEventListener('click', (event) => console.log(event.clientX));
+      planner.addEventListener('of-my-own', (event: Event) => console.log(event.type));
+      const quoted = ({ detail }: CustomEvent<Quote>) => console.log(detail.hash);
+      const quote = document.createElement('kerfway-quote');
+      quote.addEventListener('result', quoted);
+      quote.removeEventListener('result', quoted);
+      // @ts-expect-error: that is an error of a script
+      planner.addEventListener('error', (event: ErrorEvent) => console.log(event.filename));
+      const element: HTMLElement = planner;
+      element.addEventListener('error', (event) => console.log(event.type));`);
     const tsc = join(ROOT, 'node_modules', 'typescript', 'bin', 'tsc');
     for (const [module, resolution] of [['NodeNext', 'NodeNext'], ['ESNext', 'Bundler']]) {
       const options = ['--strict', '--noEmit', '--target', 'ES2022', '--lib', 'ES2022,DOM', '--types', ''];
-      run(tsc, ...options, '--module', module, '--moduleResolution', resolution, 'use.ts', 'element.ts');
+      run(tsc, ...options, '--module', module, '--moduleResolution', resolution, 'use.ts', 'element.ts', 'events.ts');
     }
     run(tsc, '--strict', '--noEmit', '--target', 'ES2022', '--types', '', '--lib', 'ES2022,DOM', '--module', 'NodeNext', 'common.cts');
   });

@@ -208,6 +208,57 @@ describe('signals and closing', () => {
   });
 });
 
+describe('a worker that is still starting', () => {
+  /** A pool of one whose planners start when the test says so. */
+  function starting(deadline) {
+    const starts = [];
+    const closed = [];
+    const pool = poolOf(() => new Promise((resolve) => {
+      const own = starts.length + 1;
+      starts.push(() => resolve({ replaced: null, close: () => closed.push(own), check: async () => own }));
+    }), 1, 1, deadline);
+    return { pool, starts, closed };
+  }
+
+  it('did not let go of a call that was aborted', async () => {
+    const { pool, starts, closed } = starting();
+    const control = new AbortController();
+    const first = pool.check('x', { signal: control.signal });
+    await wait(1);
+    control.abort();
+    await assert.rejects(first, { name: 'AbortError' });
+    assert.deepEqual([starts.length, pool.waiting], [1, 0]);
+    // The next call does not wait for it, and a pool keeps no more planners than its size.
+    const second = pool.check('y');
+    await wait(1);
+    starts[1]();
+    assert.equal(await second, 2);
+    starts[0]();
+    await wait(1);
+    assert.deepEqual(closed, [1]);
+    pool.close();
+    assert.deepEqual(closed, [1, 2]);
+  });
+
+  it('serves the next call when it has started', async () => {
+    const { pool, starts, closed } = starting();
+    const first = pool.check('x', { signal: AbortSignal.timeout(1) });
+    await assert.rejects(first, { name: 'TimeoutError' });
+    starts[0]();
+    await wait(1);
+    assert.equal(await pool.check('y'), 1);
+    assert.deepEqual([starts.length, closed], [1, []]);
+  });
+
+  it('was given any time beside the deadline', async () => {
+    const { pool, starts } = starting(0.05);
+    await assert.rejects(pool.check('x'), { code: 'deadline' });
+    starts[0]();
+    await wait(1);
+    assert.equal(await pool.check('y'), 1);
+  });
+});
+
 it('a hundred files take no more memory than ten', async (t) => {
   const pool = pooled(t, { size: 2 });
   const file = bytes(KEYBOARD);

@@ -1,13 +1,12 @@
-// kerfway serve: uploads of all kinds, errors with codes, keys, CORS, backpressure, an orderly stop, and its description.
+// kerfway serve: uploads of all kinds, errors with codes, keys, CORS, backpressure, and its description.
 
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
-import { once } from 'node:events';
 import { writeFileSync } from 'node:fs';
 import { connect } from 'node:net';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
+import { gzipSync } from 'node:zlib';
 import { Validator } from '@seriousme/openapi-schema-validator';
 import { quote } from 'kerfway';
 import { keysIn } from '../../dist/sdk/server/keys.js';
@@ -16,7 +15,7 @@ import { DEFAULTS } from '../../dist/sdk/server/settings.js';
 import { safeName } from '../../dist/sdk/server/body.js';
 import { hostile } from './hostile.mjs';
 import { form, serve } from './serving.mjs';
-import { bytes, circle, CLI, dxf, folder, kerfway, KEYBOARD, shared, square } from './support.mjs';
+import { bytes, circle, dxf, folder, KEYBOARD, shared, square } from './support.mjs';
 
 const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
 const SHORT = 'moves=1000&seed=1';
@@ -108,10 +107,16 @@ describe('the service', () => {
     assert.equal(await field('/plan?moves.foo=10', 400, 'unknown-field'), 'moves.foo');
     assert.equal(await field('/plan?machine=co2-100w&machine.kerf_width=0.2', 400, 'unknown-field'), 'machine.kerf_width');
     assert.equal(await field('/quote?moves=1000&moves=2000', 400, 'wrong-type'), 'moves');
+    // The first was taken, and the second had no effect.
+    for (const twice of ['name=a&name=b', 'options={}&options={"units":"in"}', 'acceptGuess=true&acceptGuess=false']) assert.equal(await field(`/plan?${twice}`, 400, 'wrong-type'), twice.split('=')[0]);
     await refused(await send('/quote', new Uint8Array(0)), 422, 'not-a-drawing');
     const large = await refused(await send('/quote', new Uint8Array(200_000)), 413, 'too-large');
     assert.equal(large.message, 'The body has more than 0.1 MB, which is the limit of this service.');
     await refused(await send('/quote', PLATE, { headers: { 'content-type': 'multipart/mixed; boundary=x' } }), 415, 'unsupported-media-type');
+    // It was read as a damaged drawing.
+    const packed = await refused(await send('/inspect', gzipSync(PLATE), { headers: { 'content-encoding': 'gzip' } }), 415, 'unsupported-media-type');
+    assert.equal(packed.message, 'The body is encoded as "gzip". Send it as it is, without a content encoding.');
+    assert.equal((await send('/inspect', PLATE, { headers: { 'content-encoding': 'identity' } })).status, 200);
     await refused(await send('/quote', `--x\r\nContent-Disposition: form-data; name="a"\r\n\r\n`), 415, 'unsupported-media-type');
     await refused(await fetch(`${url}/nothing`), 404, 'not-found');
     const wrong = await fetch(`${url}/quote`);
@@ -126,7 +131,9 @@ describe('the service', () => {
     const many = form(PLATE, 'a.dxf', Object.fromEntries(Array.from({ length: 40 }, (_, k) => [`f${k}`, 'x'])));
     const none = new FormData();
     none.set('options', '{}');
-    for (const body of [two, many, none]) await refused(await send('/quote', body), 400, 'malformed-form');
+    const twice = form(PLATE, 'a.dxf', { options: { moves: 1000 } });
+    twice.append('options', '{}');
+    for (const body of [two, many, none, twice]) await refused(await send('/quote', body), 400, 'malformed-form');
     for (const type of ['multipart/form-data', 'multipart/form-data; boundary=other']) await refused(await send('/quote', PLATE, { headers: { 'content-type': type } }), 400, 'malformed-form');
   });
 
@@ -248,19 +255,6 @@ describe('the service', () => {
     assert.equal(await metric('kerfway_errors_total'), full.length);
   });
 
-  it('finishes what runs when it is stopped, and refuses what comes then', async (t) => {
-    const { child, url, send, log } = await serve(t, '--workers', '1');
-    const running = send('/plan?seconds=2&seed=1', bytes(KEYBOARD));
-    await wait(800);
-    child.kill('SIGTERM');
-    await wait(200);
-    await assert.rejects(fetch(`${url}/healthz`));
-    assert.equal((await running).status, 200);
-    if (child.exitCode === null) await new Promise((resolve) => child.once('exit', resolve));
-    assert.deepEqual(log.map((l) => l.event), ['started', 'stopping', 'request', 'stopped']);
-    assert.equal(child.exitCode, 0);
-  });
-
   it('ends a slow upload and a drawing that takes too long', async (t) => {
     const { url, send } = await serve(t, '--upload-seconds', '0.5', '--deadline', '3');
     const { hostname, port } = new URL(url);
@@ -285,26 +279,6 @@ describe('the service', () => {
     const { valid, errors } = await new Validator().validate(structuredClone(described));
     assert.equal(valid, true, JSON.stringify(errors));
     // tests/package/matrix/service.test.mjs generates a client from it.
-  });
-
-  it('as a worker without its queue did not stop when it was told to', async () => {
-    const child = spawn(process.execPath, [CLI, 'work', '--queue', 'redis://127.0.0.1:1', '--workers', '1'], { stdio: ['ignore', 'pipe', 'ignore'] });
-    await once(child.stdout, 'data');
-    child.kill('SIGTERM');
-    const [code] = await Promise.race([once(child, 'exit'), wait(20_000, ['still running'])]);
-    child.kill('SIGKILL');
-    assert.equal(code, 0);
-  });
-
-  it('is started with settings that make sense, or not at all', async (t) => {
-    for (const [args, exit, says] of [
-      [['--port', '99999'], 2, /--port 99999/], [['--host', '203.0.113.1', '--port', '0'], 1, /This computer has no such address\. Choose another with --host\./], [['--workers', '0'], 2, /--workers 0/], [['--cors', 'shop.example'], 2, /--cors/], [['plate.dxf'], 2, /options only/],
-      [['--keys', join(folder(t), 'none')], 1, /cannot be read/], [['--queue', 'localhost'], 2, /--queue/],
-    ]) {
-      const { code, stderr } = await kerfway('serve', ...args);
-      assert.deepEqual([code, says.test(stderr)], [exit, true], stderr);
-    }
-    assert.equal((await kerfway('work')).code, 2);
   });
 });
 

@@ -1,9 +1,9 @@
 /** Several quotes together, and one in several quantities: seconds, weight, and an estimate of the sheets. No prices. */
 
-import { check, checkOne, optional, type Range, type Shape } from './check.js';
+import { check, checkOne, isRecord, optional, type Range, type Shape } from './check.js';
 import { KerfwayError } from './errors.js';
 import type { Quote } from './quote.js';
-import { ADDED, checkReport, isRecord } from './read-report.js';
+import { ADDED, checkReport } from './read-report.js';
 import { sheetsFor, type SheetEstimate, type Stock } from './sheets.js';
 
 /** A drawing of a basket: its report, and how many times it is ordered. */
@@ -107,7 +107,8 @@ export function priceBreaks(report: Quote, quantities: readonly number[], option
   const stock = stockOf(options);
   checkReport(report, 'report', ADDED);
   checkOne('The field', 'quantities', { list: 'any' }, quantities);
-  return quantities.map((quantity, k) => {
+  // A typed array would make another one of the objects.
+  return Array.from(quantities, (quantity, k) => {
     const line = lineOf(report, checkQuantity(`quantities[${k}]`, quantity));
     return { ...line, sheets: stock === undefined ? null : sheetsFor(boxesOf(report, quantity), stock) };
   });

@@ -5,7 +5,7 @@ import { COMMANDS, commandsInWords, type Command } from './cli/commands.js';
 import { manual, overview, version } from './cli/help.js';
 import { EXIT, failureDocument, print, readerLeft, Unusable, WrongUse } from './cli/io.js';
 import { complain } from './cli/safe-text.js';
-import { KerfwayError } from './errors.js';
+import { isKerfwayError, KerfwayError } from './errors.js';
 
 /** Loads what runs a command: it needs little of what the others do, and help needs nothing of it. */
 const RUNS: Record<string, () => Promise<(words: string[]) => Promise<void>>> = {
@@ -52,7 +52,9 @@ process.stderr.on('error', () => {});
 
 try {
   await main(process.argv.slice(2));
-} catch (error) {
+} catch (thrown) {
+  // What is no fault of the input, such as a file of the package that is missing, has a sentence, too.
+  const error = isKerfwayError(thrown) ? new Unusable(thrown.message, thrown.toJSON()) : thrown;
   if (!(error instanceof WrongUse) && !(error instanceof Unusable)) throw error;
   complain(error.message);
   const [command = '', ...words] = process.argv.slice(2);

@@ -1,7 +1,7 @@
 /** What every entry point exports. Entry points differ only in how they read the wasm and start a worker. */
 
 import { createFunctions, type Functions } from './functions.js';
-import { checkPlaces } from './options.js';
+import { checkPlaces, given } from './options.js';
 import type { Configuration } from './places.js';
 import type { Planner, PlannerOptions } from './planner.js';
 import { plannerFactory, type Platform } from './planner-factory.js';
@@ -19,10 +19,14 @@ export function opening(platform: Platform): Pick<Entry, 'createPlanner' | 'conf
   let configured: Configuration = {};
   const open = plannerFactory(platform);
   return {
-    createPlanner: (options = {}) => open({ ...configured, ...options }),
+    createPlanner: async (options = {}) => {
+      checkPlaces(options);
+      // What is undefined is not given: it must not hide what was configured.
+      return open({ ...configured, ...given(options) });
+    },
     configure: (configuration) => {
       checkPlaces(configuration);
-      configured = { ...configured, ...configuration };
+      configured = { ...configured, ...given(configuration) };
     },
   };
 }

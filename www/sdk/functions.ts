@@ -5,8 +5,8 @@
 
 import { quietAtClose } from './closed.js';
 import { stopIfRefusedOffBed } from './doubt.js';
-import { KerfwayError } from './errors.js';
-import { checkOptions, checkRendered, planning, reading, terms } from './options.js';
+import { KerfwayError, reportOf } from './errors.js';
+import { checkOptions, checkProgram, checkRendered, planning, reading, terms } from './options.js';
 import { readBytes, type Bytes, type Source } from './bytes.js';
 import type { CheckOptions, InspectOptions, JobOptions, PlanJobOptions, PlanningOptions, QuoteOptions, RenderOptions } from './options.js';
 import type { Started } from './plan-handle.js';
@@ -174,8 +174,8 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
 
     verifyQuote(source, report, given = {}) {
       let options = given;
+      let made: ReturnType<typeof optionsOf>;
       const work = async (planner: Planner): Promise<Verification> => {
-        const made = optionsOf(report);
         const loaded = await loadedBy(planner, source, { ...made.reading, ...options, name: String(made.quote.input.name) });
         if (loaded.sha256 !== made.quote.input.sha256) return { valid: false, differences: ['input'], report: null };
         await planner.plan(planningOf(made.quote, loaded)).done;
@@ -183,6 +183,8 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
       };
       return quietAtClose(async () => {
         options = checkOptions(given, 'verifyQuote');
+        // Before its turn comes: what is no report needs no planner.
+        made = optionsOf(report);
         return withPlanner(work, options.signal);
       });
     },
@@ -190,7 +192,7 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
     check(program, options = {}) {
       return quietAtClose(async () => {
         const { signal, ...on } = checkOptions(options, 'check');
-        const text = typeof program === 'string' ? program : new TextDecoder().decode((await readBytes(program)).bytes);
+        const text = typeof program === 'string' ? program : new TextDecoder().decode((await readBytes(program).catch(asProgram)).bytes);
         return withPlanner((planner) => planner.check(text, on), signal);
       });
     },
@@ -232,6 +234,12 @@ export function settingFor(material: Material | undefined, machine: PlanOptions[
 export function budgeted(options: PlanningOptions, loaded: Loaded, defaultBudget: DefaultBudget = () => ({})): PlanningOptions {
   const isFree = options.moves === undefined && options.seconds === undefined;
   return { ...(isFree ? defaultBudget(loaded) : {}), ...planning(options) };
+}
+
+/** The same error about a program, which may be a text as well. */
+function asProgram(error: unknown): never {
+  if (reportOf(error).code === 'not-bytes') checkProgram(undefined);
+  throw error;
 }
 
 // A job may share its planner with the next one. Once it is aborted, it must not load or plan anything more.

@@ -62,7 +62,7 @@ export const quote: Entry['quote'] = own.quote;
 /** Confirms a report that somebody else has made: see {@link Functions.verifyQuote}. */
 export const verifyQuote: Entry['verifyQuote'] = own.verifyQuote;
 
-/** Writes a finished plan as G-code, DXF, SVG or PNG: see {@link Functions.render}. */
+/** Writes a finished plan in another format, such as G-code, DXF, SVG or PNG: see {@link Functions.render}. */
 export const render: Entry['render'] = own.render;
 
 /** Reads a G-code program back and says what it would do on a machine: see {@link Functions.check}. */

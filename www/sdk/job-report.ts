@@ -4,6 +4,8 @@
  */
 
 import { base64 } from './base64.js';
+import { isList, isRecord, shown } from './check.js';
+import { KerfwayError } from './errors.js';
 import { PROVEN } from './gap.js';
 import { partThumbnail } from './thumbnail.js';
 import type { Baselines, BestPath, Finding, Loaded, Summary } from './protocol.js';
@@ -30,8 +32,14 @@ export interface ReportInput {
 /** Most rows of the order: more are hundreds of pages of paper. */
 const MOST_ROWS = 500;
 
-/** The report as HTML. */
+/**
+ * The report as HTML. Throws a `KerfwayError` unless the job has what it is made of. A plan that has been JSON serves as well.
+ *
+ *     const planned = await plan(bytes, { outputs: ['svg'] });
+ *     const page = jobReport({ ...planned, quote: await quote(bytes), svg: planned.outputs.svg });
+ */
 export function jobReport(job: ReportInput): string {
+  checkInput(job);
   const { loaded, quote, summary: s, text = ENGLISH } = job;
   const { words: w } = text;
   const { machine, material } = quote;
@@ -68,6 +76,25 @@ ${section(w.order, order(job, text), 'order')}
 `;
 }
 
+/** Throws a `KerfwayError` that names the first field which is not what a report is made of. */
+function checkInput(job: Partial<ReportInput> | null): void {
+  const { loaded, summary, baselines, path, quote, svg, findings = [], date = new Date(0) } = job ?? {};
+  const fits: Partial<Record<keyof ReportInput, boolean>> = {
+    loaded: isList(loaded?.contours) && isList(loaded.parts) && isList(loaded.findings) && isRecord(loaded.geometry),
+    summary: typeof summary?.total_time === 'number',
+    baselines: isRecord(baselines?.greedy) && isRecord(baselines.drawing),
+    path: isList(path?.contours) && isList(path.points) && isList(path.times),
+    quote: quote?.schema === 'kerfway.quote/2',
+    svg: typeof svg === 'string',
+    findings: isList(findings),
+    date: date instanceof Date && !Number.isNaN(date.getTime()),
+  };
+  const wrong = Object.entries(fits).find(([, fit]) => !fit)?.[0];
+  if (wrong === undefined) return;
+  const given = shown((job as Record<string, unknown> | null)?.[wrong]);
+  throw new KerfwayError('wrong-type', `The field "${wrong}" of the report is ${given}. Give what plan and quote return, the plan as SVG, and a valid date.`, { field: wrong });
+}
+
 type Fact = readonly [term: string, value: string];
 
 function times({ summary: s, baselines: { greedy, drawing } }: ReportInput, { words: w, duration, far }: ReportText): Fact[] {
@@ -95,12 +122,12 @@ function findings({ loaded, findings: ofPlan = [] }: ReportInput, { words: w, nu
   const all = [...loaded.findings, ...ofPlan];
   if (all.length === 0) return `<p>${escaped(w.none)}</p>`;
   const place = (at: readonly [number, number]) => ` <small>${escaped(w.at(number(at[0]), number(at[1])))}</small>`;
-  return `<ul>${all.map((f) => `<li class="${f.severity}"><b>${escaped(w.severities[f.severity])}</b> ${escaped(finding(f))}${f.count > 1 ? ` (${escaped(w.times(f.count))})` : ''}${f.at === null ? '' : place(f.at)}</li>`).join('')}</ul>`;
+  return `<ul>${all.map((f) => `<li class="${escaped(f.severity)}"><b>${escaped(w.severities[f.severity] ?? f.severity)}</b> ${escaped(finding(f))}${f.count > 1 ? ` (${escaped(w.times(f.count))})` : ''}${f.at === null ? '' : place(f.at)}</li>`).join('')}</ul>`;
 }
 
 function order({ path, loaded }: ReportInput, text: ReportText): string {
   const { words: w, duration, number } = text;
-  const rows = Array.from(path.contours.subarray(0, MOST_ROWS), (contour, k): Cell[] => [
+  const rows = Array.from(path.contours.slice(0, MOST_ROWS), (contour, k): Cell[] => [
     k + 1, contour + 1, loaded.contours[contour]?.layer ?? '', duration(path.times[2 * k] ?? 0), `${number(path.points[4 * k] ?? 0)}, ${number(path.points[4 * k + 1] ?? 0)}`,
   ]);
   const more = path.contours.length - rows.length;

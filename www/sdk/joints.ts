@@ -4,6 +4,7 @@
  */
 
 import type { JointKind, JointRule, Joints, SizeTest } from './protocol.js';
+import { withDefaults } from './rule-settings.js';
 
 /** Whether the head stops at a joint. */
 export const JOINT_KINDS: readonly JointKind[] = ['stop', 'flying'];
@@ -42,7 +43,7 @@ const isAny = ([x, y]: readonly [number, number]) => x === 0 && y === 0;
 
 /** The rule of a machine profile for these settings; what is not given has its default ({@link DEFAULT_JOINTS}). */
 export function jointRules(settings: Partial<JointPattern> = {}): Joints {
-  const s = { ...DEFAULT_JOINTS, ...settings };
+  const s = withDefaults('A joint', DEFAULT_JOINTS, settings);
   const rule: JointRule = { count: s.count, width: s.width, corner_clearance: s.cornerClearance, kind: s.kind };
   if (s.spacing !== 0) rule.spacing = s.spacing;
   if (s.side !== 'both') rule.side = s.side;
@@ -52,10 +53,10 @@ export function jointRules(settings: Partial<JointPattern> = {}): Joints {
   return { rules: [rule] };
 }
 
-/** The settings of rules that are one rule; `null` for several. */
-export function jointSettings({ rules }: Joints): JointPattern | null {
-  const [rule, second] = rules;
-  if (rule === undefined || second !== undefined) return null;
+/** The settings of rules that are one rule; `null` for several, and for a machine without joints. */
+export function jointSettings(joints: Joints | null | undefined): JointPattern | null {
+  const [rule, second] = Array.isArray(joints?.rules) ? joints.rules : [];
+  if (rule == null || second !== undefined) return null;
   return {
     // These are the defaults of rules, which fit every contour.
     count: rule.count ?? 2, width: rule.width ?? 0.5, spacing: rule.spacing ?? 0, cornerClearance: rule.corner_clearance ?? 2,

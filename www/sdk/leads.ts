@@ -4,6 +4,7 @@
  */
 
 import type { LeadKind, LeadPosition, LeadShape, Leads } from './protocol.js';
+import { withDefaults } from './rule-settings.js';
 
 /** The forms of a lead that joins a contour anywhere. */
 export const LEAD_KINDS: readonly LeadKind[] = ['none', 'line', 'arc', 'line-arc'];
@@ -38,17 +39,17 @@ export const DEFAULT_LEADS: Readonly<LeadChoice> = {
 
 /** The rules of a machine profile for these settings; what is not given has its default ({@link DEFAULT_LEADS}). */
 export function leadRules(settings: Partial<LeadChoice> = {}): Leads {
-  const s = { ...DEFAULT_LEADS, ...settings };
+  const s = withDefaults('A lead', DEFAULT_LEADS, settings);
   const shape = (kind: LeadKind): LeadShape => ({ kind, length: s.length, radius: s.radius, angle: (s.angle * Math.PI) / 180 });
   const small = s.centerBelow !== 0 && s.kind !== 'none'
     ? [{ side: 'hole' as const, diameter_below: s.centerBelow, lead_in: shape('center'), overcut: s.overcut }] : [];
   return { clearance: s.clearance, rules: [...small, { lead_in: shape(s.kind), lead_out: shape(s.out), position: s.position, overcut: s.overcut }] };
 }
 
-/** The settings that these rules were made from; `null` for rules of another form. */
-export function leadSettings(leads: Leads): LeadChoice | null {
-  const last = leads.rules.at(-1);
-  if (last === undefined) return null;
+/** The settings that these rules were made from; `null` for rules of another form, and for a machine without leads. */
+export function leadSettings(leads: Leads | null | undefined): LeadChoice | null {
+  const last = Array.isArray(leads?.rules) ? leads.rules.at(-1) : undefined;
+  if (leads == null || last?.lead_in == null) return null;
   const { length, radius, angle } = { ...DEFAULT_LEADS, ...last.lead_in };
   const small = leads.rules.length > 1 ? leads.rules[0]! : undefined;
   const settings: LeadChoice = {

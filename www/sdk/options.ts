@@ -4,7 +4,7 @@
  */
 
 import { viewed } from './bytes.js';
-import { check, checkOne, optional, type Field, type Range, type Shape } from './check.js';
+import { check, checkOne, isRecord, optional, shown, type Field, type Range, type Shape } from './check.js';
 import { KerfwayError, notBytes } from './errors.js';
 import { SHAPES } from './fields.js';
 import { copied } from './plain-data.js';
@@ -115,6 +115,26 @@ export function checkMachine(machine: unknown): void {
   check(KNOWN.planning, { machine });
 }
 
+/** Throws a `KerfwayError` unless this is a machine profile. The name of a preset is none. */
+export function checkProfile(machine: unknown): void {
+  if (!isRecord(machine)) throw new KerfwayError('wrong-type', `The option "machine" is ${shown(machine)}. Give a machine profile.`, { field: 'machine' });
+  checkMachine(machine);
+}
+
+/** Throws a `KerfwayError` unless this is a function that can be called back. */
+export function checkCallback(name: string, callback: unknown): void {
+  checkOne('The option', name, 'callback', callback);
+}
+
+/** Throws a `KerfwayError` unless these are plans that were run, with their seconds. Times that cannot be are refused where the plans are read. */
+export function checkMeasured(measured: unknown): void {
+  checkOne('The option', 'measured', { list: 'any' }, measured);
+  const wrong = (measured as unknown[]).findIndex((job) => !isRecord(job) || typeof job['plan'] !== 'string' || typeof job['seconds'] !== 'number');
+  if (wrong < 0) return;
+  const field = `measured[${wrong}]`;
+  throw new KerfwayError('wrong-type', `The option "${field}" is no plan that was run. Give an object with the plan, as text, and its seconds.`, { field });
+}
+
 /** Throws a `KerfwayError` unless this is an output format, and a width that a picture can have. */
 export function checkOutput(kind: unknown, width: unknown): void {
   checkOne('The option', 'kind', { choice: OUTPUTS }, kind);
@@ -159,5 +179,5 @@ function picked<T extends object>(options: T, fields: readonly Field[]): T {
 
 /** The options without those that are `undefined`: the planner takes an option for given if its name is there. */
 export function given<T extends object>(options: T): T {
-  return Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined)) as T;
+  return Object.fromEntries(Object.entries(options ?? {}).filter(([, value]) => value !== undefined)) as T;
 }

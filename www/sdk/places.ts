@@ -6,10 +6,14 @@ import type { WasmBytes, WasmModule } from './wasm-module.js';
 export interface Places {
   /**
    * `false`: plan in the caller's thread instead of a worker, in slices of some milliseconds between which the event loop runs.
-   * For places that have no workers. It has everything except the PNG renderer and the methods from papers.
+   * For places that have no workers. It has everything except the PNG renderer, the reader of SVG, the methods from papers, and the levers `fly`,
+   * `chains`, `bridges`, `common_cuts`, `tips`, `heat` and `corners`.
    */
   worker?: boolean;
-  /** The address of a file of the package (`worker.js`, `kerfway_bg.wasm`), for hosts that serve them from a place of their own. */
+  /**
+   * The address of a file of the package (`worker.js`, in Node `node-worker.js`; `kerfway_bg.wasm`; without workers also `kerfway_outputs_bg.wasm`),
+   * for hosts that serve them from a place of their own.
+   */
   locate?: (file: string) => string | URL;
   /** The address of `kerfway_bg.wasm`. Overrides `locate`. */
   wasmUrl?: string | URL;

@@ -1,6 +1,5 @@
 /** Makes the function `createPlanner` of an entry point. Entry points differ in how they read the wasm and start a worker. */
 
-import { checkPlaces } from './options.js';
 import type { Places } from './places.js';
 import { Planner, type PlannerOptions } from './planner.js';
 import type { StartWorker } from './worker-connection.js';
@@ -21,8 +20,8 @@ export interface Platform {
   processors(): number;
 }
 
-/** The function `createPlanner`. A module is compiled once for each place, and shared by all its workers. */
-export function plannerFactory(platform: Platform): (options?: PlannerOptions) => Promise<Planner> {
+/** The function that opens planners; its options were checked. A module is compiled once for each place, and shared by all its workers. */
+export function plannerFactory(platform: Platform): (options: PlannerOptions) => Promise<Planner> {
   const shared = new Map<string, Promise<WasmModule>>();
   const read = (places: Places): Promise<WasmModule> => {
     const place = String(places.wasmUrl ?? places.locate?.('kerfway_bg.wasm') ?? '');
@@ -37,8 +36,7 @@ export function plannerFactory(platform: Platform): (options?: PlannerOptions) =
     if (wasm === undefined) return read(options);
     return wasm instanceof WebAssembly.Module ? wasm : loadedFile('kerfway', () => WebAssembly.compile(wasm as BufferSource));
   };
-  return async (options = {}) => {
-    checkPlaces(options);
+  return async (options) => {
     const here = async () => (await import('./in-thread.js')).inThread(() => platform.readOutputs(options));
     const start = await (options.worker === false ? here() : platform.workers(options));
     const outputs = options.outputsWasm ?? platform.outputs;

@@ -173,7 +173,7 @@ class PlannerQueue {
     let why = '';
     for (let k = 0; k < TRIES; k++) {
       // A retry always gets a new planner: what killed the first may have killed idle ones too, without their having said so yet.
-      const planner = await (k === 0 ? this.idleOrNew() : this.openPlanner());
+      const planner = await this.inTime(k === 0 ? this.idleOrNew() : this.openPlanner(), signal);
       try {
         const result = await abortable(work(planner), signal);
         if (planner.replaced === null) {
@@ -192,6 +192,16 @@ class PlannerQueue {
       this.dismiss(planner);
     }
     throw new KerfwayError('planner-died', `${why} It was tried ${TRIES} times; this file may need more memory than there is.`);
+  }
+
+  /** A planner, unless the signal aborts first. One that is still starting then is kept for the next call. */
+  private async inTime(opening: Promise<Planner>, signal: AbortSignal | undefined): Promise<Planner> {
+    try {
+      return await abortable(opening, signal);
+    } catch (error) {
+      opening.then((planner) => (this.all.size > this.size ? this.dismiss(planner) : this.idle.push(planner)), () => {});
+      throw error;
+    }
   }
 
   // An idle planner whose worker has died is not used: it is busy starting another worker.

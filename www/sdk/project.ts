@@ -7,6 +7,7 @@
 
 import { base64 } from './base64.js';
 import { readBytes, viewed, type Bytes } from './bytes.js';
+import { isRecord } from './check.js';
 import { KerfwayError, notBytes } from './errors.js';
 import { checkOptions } from './options.js';
 import { asJson, withWarmPath } from './plain-data.js';
@@ -51,13 +52,14 @@ export interface Project {
 /** The text of a project file. Throws a `KerfwayError` for what `readProject` would refuse. */
 export async function writeProject(project: Project): Promise<string> {
   const unwritable: Refusal = (why) => new KerfwayError('wrong-type', `This project cannot be written: ${why}.`);
-  if (!isObject(project)) throw unwritable('it is no object');
+  if (!isRecord(project)) throw unwritable('it is no object');
   const { name, reading, planning, plan } = project;
   const bytes = viewed(project.drawing);
   if (bytes === null) throw notBytes();
   const document = JSON.parse(JSON.stringify(asJson({ schema: SCHEMA, name, reading, planning, plan }))) as Record<string, unknown>;
   checked(document, unwritable);
-  const packed = await through(bytes instanceof Uint8Array ? bytes : new Uint8Array(bytes), new CompressionStream('gzip'), Infinity);
+  // A copy, because a blob takes no memory that threads share.
+  const packed = await through(new Uint8Array(bytes).slice(), new CompressionStream('gzip'), Infinity);
   return `${JSON.stringify({ ...document, drawing: base64(packed) })}\n`;
 }
 
@@ -88,7 +90,7 @@ type Refusal = (why: string) => KerfwayError;
 /** What a project says besides its drawing. */
 function checked({ name, reading, planning, plan }: Record<string, unknown>, refusal: Refusal): Omit<Project, 'drawing'> {
   if (typeof name !== 'string') throw refusal('its name or its drawing is missing');
-  if (!isObject(reading) || !isObject(planning)) throw refusal('what was decided about its drawing is missing');
+  if (!isRecord(reading) || !isRecord(planning)) throw refusal('what was decided about its drawing is missing');
   checkOptions(reading, 'load');
   checkOptions(planning, 'planning');
   return { name, reading, planning, plan: plan === null || plan === undefined ? null : savedPlan(plan, refusal) };
@@ -97,15 +99,15 @@ function checked({ name, reading, planning, plan }: Record<string, unknown>, ref
 function parsed(bytes: ArrayBuffer | Uint8Array): Record<string, unknown> {
   try {
     const value: unknown = JSON.parse(new TextDecoder().decode(bytes));
-    if (isObject(value)) return value;
+    if (isRecord(value)) return value;
   } catch {}
   throw unusable('it is not JSON, or only a part of it');
 }
 
 function savedPlan(value: unknown, refusal: Refusal): SavedPlan {
-  if (!isObject(value) || !isObject(value['path'])) throw refusal('its plan has no path');
+  if (!isRecord(value) || !isRecord(value['path'])) throw refusal('its plan has no path');
   const { seed, moves, seconds, total_time, lower_bound = 0, done, path, curve } = value;
-  const { at, total } = isObject(curve) ? curve : {};
+  const { at, total } = isRecord(curve) ? curve : {};
   const isNumbers = (list: unknown): list is number[] => Array.isArray(list) && list.every((n) => typeof n === 'number' && n >= 0);
   if (!isNumbers([seed, moves, seconds, total_time, lower_bound]) || !isNumbers(at) || !isNumbers(total) || at.length !== total.length) throw refusal('a number of its plan is missing');
   const options = withWarmPath({ seed: seed as number, warm: path as unknown as WarmPath });
@@ -140,5 +142,3 @@ async function through(bytes: Uint8Array, stream: CompressionStream | Decompress
 }
 
 const unusable: Refusal = (why) => new KerfwayError('not-a-drawing', `This project file cannot be used: ${why}. Save the project again.`);
-
-const isObject = (value: unknown): value is Record<string, unknown> => typeof value === 'object' && value !== null && !Array.isArray(value);

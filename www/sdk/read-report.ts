@@ -1,5 +1,6 @@
 /** Checks the report of a quote that comes from outside, before its fields are read. */
 
+import { isRecord } from './check.js';
 import { KerfwayError } from './errors.js';
 import type { Quote } from './quote.js';
 
@@ -9,7 +10,6 @@ type Readable = (value: unknown) => boolean;
 /** Some fields of a report, with what they must be. */
 export type ReportFields = Partial<Record<keyof Quote, Readable>>;
 
-export const isRecord = (value: unknown): value is Record<string, unknown> => typeof value === 'object' && value !== null && !Array.isArray(value);
 const isStated: Readable = (value) => value !== undefined;
 const isText: Readable = (value) => typeof value === 'string';
 const isNumber: Readable = (value) => Number.isFinite(value);
@@ -17,21 +17,21 @@ const isCount: Readable = (value) => Number.isSafeInteger(value) && (value as nu
 const orNull = (readable: Readable): Readable => (value) => value === null || readable(value);
 const isList = (of: Readable): Readable => (value) => Array.isArray(value) && value.every(of);
 const isNumbers = (length: number): Readable => (value) => isList(isNumber)(value) && (value as unknown[]).length === length;
-const isObject = (fields: Record<string, Readable>): Readable => (value) => isRecord(value) && Object.entries(fields).every(([name, readable]) => readable(value[name]));
+const hasFields = (fields: Record<string, Readable>): Readable => (value) => isRecord(value) && Object.entries(fields).every(([name, readable]) => readable(value[name]));
 
 const TIMES: Record<keyof Quote['times'], Readable> = { total: isNumber, cut: isNumber, air: isNumber, pierce: isNumber, pre_cut: isNumber, macros: isNumber };
 
 /** What a basket adds up. */
 export const ADDED: ReportFields = {
-  input: isObject({ name: isText }), hash: isText, part_count: isCount, times: isObject(TIMES), net_area: isNumber, weight: orNull(isNumber),
-  parts: isList(isObject({ items: isList(isObject({ bounds: isNumbers(4) })) })),
+  input: hasFields({ name: isText }), hash: isText, part_count: isCount, times: hasFields(TIMES), net_area: isNumber, weight: orNull(isNumber),
+  parts: isList(hasFields({ items: isList(hasFields({ bounds: isNumbers(4) })) })),
 };
 
 /** What is planned again. Machine, options and the like are checked by the planner, as those of any plan. */
 export const PLANNED: ReportFields = {
-  input: isObject({ name: isText, sha256: isText }), options: isRecord, machine: isRecord, setting: orNull(isText), method: isText, parameters: orNull(isText),
-  seed: isStated, moves: isStated, workers: orNull(isCount), placement: orNull(isObject({ shift: isNumbers(2), start: isText })),
-  material: isRecord, checks: orNull(isObject({ limits: isRecord })),
+  input: hasFields({ name: isText, sha256: isText }), options: isRecord, machine: isRecord, setting: orNull(isText), method: isText, parameters: orNull(isText),
+  seed: isStated, moves: isStated, workers: orNull(isCount), placement: orNull(hasFields({ shift: isNumbers(2), start: isText })),
+  material: isRecord, checks: orNull(hasFields({ limits: isRecord })),
 };
 
 /** Throws a `KerfwayError` unless this is a report of a version that can be read, with these fields. */

@@ -2,6 +2,8 @@
  * What each lever of a machine saves on a job: the job is planned again without it, with the same options and budget, and the seconds are compared.
  */
 
+import { checkOne } from './check.js';
+import { checkOptions, checkProfile } from './options.js';
 import type { MachineProfile, PlanOptions } from './protocol.js';
 
 /** What can be left out of a machine: piercing in motion, cuts on the run, chains, starts on a kerf, bridges between parts, cutting what shares cuts together, lifting on the way, staying down on short moves, avoiding pieces that tip instead of lifting for every move, minding heat, which costs more than it saves, corners in which the beam does not stop, joints without a stop. */
@@ -24,6 +26,8 @@ export interface Replanner {
 
 /** A machine without one of its levers; `null` if it does not have it. */
 export function withoutLever(machine: MachineProfile, lever: Lever): MachineProfile | null {
+  checkProfile(machine);
+  checkOne('The option', 'lever', { choice: LEVERS }, lever);
   const { moving_pierce, lift, fly, chains, bridges, common_cuts, tips, heat, corners } = machine.levers ?? {};
   const avoids = tips != null && tips.risky_moves !== 'ignore';
   switch (lever) {
@@ -58,7 +62,7 @@ function levered(machine: MachineProfile, change: { [K in keyof NonNullable<Mach
  * planner has the plan without the last lever afterwards.
  */
 export async function* leverSavings(planner: Replanner, options: PlanOptions, seconds: number): AsyncGenerator<LeverSaving> {
-  const { machine } = options;
+  const { machine } = checkOptions(options, 'planning');
   if (typeof machine !== 'object') return;
   for (const lever of LEVERS) {
     const without = withoutLever(machine, lever);

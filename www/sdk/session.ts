@@ -8,28 +8,20 @@ import { KerfwayError, reportOf } from './errors.js';
 import { DEFAULT_SECONDS, given } from './options.js';
 import { inPieces } from './pieces.js';
 import type { Job } from './pkg/kerfway.js';
-import type {
-  Calibration, CheckedOn, FromWorker, LoadOptions, MachineProfile, MeasuredPlan, Membership, OutputKind, PlanOptions, ToWorker,
-} from './protocol.js';
+import type { CheckedOn, FromWorker, LoadOptions, MachineProfile, MeasuredPlan, Membership, OutputKind, PlanOptions, ToWorker } from './protocol.js';
 import type { Quote, QuoteTerms } from './quote.js';
 import { Proving } from './proving.js';
 import { Search } from './search.js';
-import type { WasmBytes, WasmModule } from './wasm-module.js';
+import { type WriterFiles, Writers } from './session-writers.js';
 
 /** The planner with the reader of SVG, all levers, the methods of papers and benchmark instances. It can do everything that `kerfway.wasm` can. */
 type Research = typeof import('./pkg/kerfway_research.js');
-type Outputs = typeof import('./pkg/kerfway_outputs.js');
-type Png = typeof import('./pkg/kerfway_png.js');
 
 /** What a session needs from the platform it runs on. */
-export interface Host {
+export interface Host extends WriterFiles {
   post(message: FromWorker, transfer?: ArrayBuffer[]): void;
   /** Loads the research build, when an SVG file, a method from a paper or a lever that the core leaves out is first used. */
   research(): Promise<Research>;
-  /** Loads the writers of programs and drawings, when one is first used; from `given`, if there is one. */
-  outputs(given: WasmModule | WasmBytes | undefined): Promise<Outputs>;
-  /** Loads the PNG renderer, when it is first used. */
-  png(): Promise<Png>;
 }
 
 /** Levers of a machine that the core leaves out: `Levers::not_in_this_build` in the planner refuses them there. */
@@ -46,17 +38,15 @@ export class Session {
   private proving: Proving | null = null;
   /** The build that runs the job. */
   private build: typeof planner | Research = planner;
-  /** The writers, once they are being loaded. */
-  private loadingOutputs: Promise<Outputs> | null = null;
-  private outputs: Outputs | null = null;
-  private givenOutputs: WasmModule | WasmBytes | undefined;
-  private png: Png | null = null;
+  private readonly writers: Writers;
   /** How the drawing was loaded, for loading it again in the research build. */
   private source: { name: string; options: LoadOptions } = { name: '', options: {} };
   /** Messages that have arrived while the research build is being loaded; `null` when it is not. */
   private held: ToWorker[] | null = null;
 
-  constructor(private readonly host: Host) {}
+  constructor(private readonly host: Host) {
+    this.writers = new Writers(host);
+  }
 
   receive(message: ToWorker): void {
     if (this.held !== null) {
@@ -82,7 +72,7 @@ export class Session {
     switch (message.type) {
       case 'init':
         planner.initSync({ module: message.planner });
-        this.givenOutputs = message.outputs;
+        this.writers.given = message.outputs;
         this.host.post({ type: 'ready', methods: planner.methods(), machines: planner.machines(), dialects: planner.dialects() });
         return;
       case 'load':
@@ -243,30 +233,19 @@ export class Session {
     return [{ type: 'papers', id, methods: (await this.host.research()).paperMethods() }];
   }
 
-  /** The writers. They are loaded once; if that fails, the next call tries again. */
-  private async writers(): Promise<Outputs> {
-    this.loadingOutputs ??= this.host.outputs(this.givenOutputs);
-    try {
-      return (this.outputs = await this.loadingOutputs);
-    } catch (error) {
-      this.loadingOutputs = null;
-      throw error;
-    }
-  }
-
   private async check(id: number, program: string | null, options: CheckedOn): Promise<[FromWorker]> {
     // The plan is that of this moment, although the file may have to be loaded first.
     if (program === null) {
       const order = this.loaded().workOrder('gcode');
-      return [{ type: 'check', id, check: (await this.writers()).preflight(order) }];
+      return [{ type: 'check', id, check: (await this.writers.loaded()).preflight(order) }];
     }
     const machine = this.build.checkedMachine(given(options));
-    return [{ type: 'check', id, check: (await this.writers()).checkProgram(program, machine) }];
+    return [{ type: 'check', id, check: (await this.writers.loaded()).checkProgram(program, machine) }];
   }
 
   private async sample(id: number, options: CheckedOn): Promise<[FromWorker]> {
     const order = this.build.sampleOrder(options);
-    return [{ type: 'sample', id, program: (await this.writers()).writeOutput(order, 'gcode') as string }];
+    return [{ type: 'sample', id, program: (await this.writers.loaded()).writeOutput(order, 'gcode') as string }];
   }
 
   private quote(terms: QuoteTerms): Quote {
@@ -274,26 +253,17 @@ export class Session {
   }
 
   private async calibrate(id: number, machine: MachineProfile, measured: readonly MeasuredPlan[]): Promise<[FromWorker]> {
-    this.png ??= await this.host.png();
-    try {
-      const fitted = this.png.calibrate(JSON.stringify(machine), measured.map((m) => String(m.plan)), Float64Array.from(measured, (m) => m.seconds));
-      return [{ type: 'calibrate', id, calibration: JSON.parse(fitted) as Calibration }];
-    } catch (error) {
-      // All that it refuses are jobs that are no plans, or times that cannot be.
-      throw error instanceof WebAssembly.RuntimeError || !(error instanceof Error) ? error : new KerfwayError('wrong-type', error.message, { field: 'measured' });
-    }
+    return [{ type: 'calibrate', id, calibration: await this.writers.calibrate(machine, measured) }];
   }
 
   private async output(id: number, kind: OutputKind, width = PNG_WIDTH): Promise<[FromWorker, ArrayBuffer[]?]> {
     if (kind === 'json') return [{ type: 'output', id, kind, data: this.loaded().document() }];
     if (kind === 'png') {
-      const json = this.loaded().document();
-      this.png ??= await this.host.png();
-      const data = this.png.renderPng(json, width);
+      const data = await this.writers.picture(this.loaded().document(), width);
       return [{ type: 'output', id, kind, data }, buffers([data])];
     }
     const order = this.loaded().workOrder(kind);
-    const data = (await this.writers()).writeOutput(order, kind);
+    const data = (await this.writers.loaded()).writeOutput(order, kind);
     return [{ type: 'output', id, kind, data }, typeof data === 'string' ? [] : buffers([data])];
   }
 
@@ -304,7 +274,7 @@ export class Session {
       // Nothing of a broken instance can be used or freed.
       this.search = null;
       this.job = null;
-      const why = [this.build, this.outputs, this.png].map((build) => build && panicOf(build)).find((panic) => panic != null);
+      const why = [this.build, this.writers.outputs, this.writers.png].map((build) => build && panicOf(build)).find((panic) => panic != null);
       this.host.post({ type: 'broken', message: `The planner broke down (${why ?? error.message}).` });
       return;
     }

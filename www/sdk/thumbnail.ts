@@ -1,6 +1,7 @@
 /** Pictures of parts, made from the contents of a drawing without planning it. */
 
 import { check, optional, shown, type Range, type Shape } from './check.js';
+import { checkLoaded } from './contours.js';
 import { KerfwayError } from './errors.js';
 import type { Loaded } from './protocol.js';
 
@@ -21,8 +22,7 @@ const ROOM = 0.04;
  * `id` of the items of a quote. It has the text colour of the page around it.
  */
 export function partThumbnail(loaded: Pick<Loaded, 'contours' | 'geometry' | 'parts'>, id: number, options: ThumbnailOptions = {}): string {
-  const parts: unknown = (loaded as Partial<Loaded> | null)?.parts;
-  if (!Array.isArray(parts)) throw new KerfwayError('wrong-type', 'This is no drawing that was read: give what load or inspect returns.', { field: 'loaded' });
+  checkLoaded(loaded, 'contours', 'parts', 'geometry');
   check(OPTIONS, options);
   const part = loaded.parts.find((p) => p.outer === id);
   if (part === undefined) throw new KerfwayError('unknown-contour', `Contour ${shown(id)} is not the outer contour of a part.`, { contour: typeof id === 'number' ? id : shown(id), count: loaded.contours.length });

@@ -1,12 +1,13 @@
 /** Confirms the report of a quote: plans the drawing again as the report says, and compares. */
 
+import { isRecord } from './check.js';
 import { KerfwayError } from './errors.js';
 import { SHAPES } from './fields.js';
 import type { PlanningOptions } from './options.js';
 import type { Loaded, LoadOptions, PlanOptions } from './protocol.js';
 import type { Quote, QuoteTerms } from './quote.js';
 import { quoteBudget } from './quote-budget.js';
-import { checkReport, isRecord, PLANNED } from './read-report.js';
+import { checkReport, PLANNED } from './read-report.js';
 
 /** The result of `verifyQuote`. */
 export interface Verification {

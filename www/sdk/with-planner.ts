@@ -7,11 +7,13 @@ import type { Planner } from './planner.js';
 export function withNewPlanner(open: () => Promise<Planner>): WithPlanner {
   return async (work, signal) => {
     signal?.throwIfAborted();
-    const planner = await open();
+    const opening = open();
     try {
+      const planner = await abortable(opening, signal);
       return await abortable(work(planner), signal);
     } finally {
-      planner.close();
+      // A planner that is still starting when the signal aborts is closed once it has started.
+      opening.then((planner) => planner.close(), () => {});
     }
   };
 }

@@ -8,8 +8,9 @@ import { checkOptions } from '../options.js';
 import { LEAD_KINDS } from '../leads.js';
 import type { ContourChoice, LayerChoice, LoadOptions, MachineProfile, Operation, Place, PlanOptions } from '../protocol.js';
 import { checkedAsWritten } from './as-written.js';
-import { COMMON_CUTS, GROUPS, OPERATIONS, optionsOf, PASS_ORDERS, STARTS, TURNS, UNITS } from './commands.js';
+import { optionsOf } from './commands.js';
 import { WrongUse } from './io.js';
+import { COMMON_CUTS, GROUPS, OPERATIONS, PASS_ORDERS, STARTS, TURNS, UNITS } from './option-groups.js';
 
 type Values = Record<string, string | boolean | string[] | undefined>;
 
@@ -214,9 +215,15 @@ export function parameters(values: Values): Record<string, unknown> | undefined 
     const at = word.indexOf('=');
     if (at < 1) throw new WrongUse(`--set ${word}: write NAME=VALUE; kerfway methods lists the names.`);
     const value = word.slice(at + 1);
-    return [word.slice(0, at), /^(true|false|-?\d+(\.\d+)?(e-?\d+)?)$/.test(value) ? (JSON.parse(value) as unknown) : value];
+    return [word.slice(0, at), valueOf(value)];
   });
   return pairs.length === 0 ? undefined : (Object.fromEntries(pairs) as Record<string, unknown>);
+}
+
+/** Leading zeros are allowed, unlike in JSON. */
+function valueOf(word: string): unknown {
+  if (word === 'true' || word === 'false') return word === 'true';
+  return /^-?\d+(\.\d+)?(e[+-]?\d+)?$/i.test(word) ? Number(word) : word;
 }
 
 export function text(values: Values, name: string): string | undefined {

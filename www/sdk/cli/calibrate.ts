@@ -22,7 +22,11 @@ export async function calibrate(args: string[]): Promise<void> {
     const machine = await machineOf(given, planner);
     const measured: MeasuredPlan[] = [];
     for (const { file, seconds } of jobs) measured.push({ plan: new TextDecoder().decode(await bytesOf(file)), seconds });
-    const calibration = await usable(files.join(', '), planner.calibrate(machine, measured));
+    const calibration = await planner.calibrate(machine, measured).catch(async (error: unknown) => {
+      // Of several plans, the first that cannot be used alone is named.
+      for (const [k, file] of files.entries()) await usable(file, planner.calibrate(machine, measured.slice(k, k + 1)));
+      return usable(files.join(', '), Promise.reject(error));
+    });
     await destinations.write(first, outputs.map((output) => ({ output, data: `${JSON.stringify(calibration.machine, null, 2)}\n` })));
     if (given.values['quiet'] !== true) await say(lines(calibration, machine), destinations.piped);
   } finally {

@@ -5,8 +5,9 @@
 
 import { createPlanner } from '../node.js';
 import { oneWord, oneOf, parsed } from './arguments.js';
-import { COMMANDS, optionsOf, SHELLS, type Choices, type Command, type Option } from './commands.js';
+import { COMMANDS, optionsOf, type Command } from './commands.js';
 import { print } from './io.js';
+import { SHELLS, type Choices, type Option } from './option-groups.js';
 
 /** An option of a command with the completions of its value. */
 interface Completed extends Option {

@@ -2,7 +2,9 @@
 
 import { createHash } from 'node:crypto';
 import { readFile } from 'node:fs/promises';
-import { COMMANDS, type Command, type Options } from './commands.js';
+import { loadedFile } from '../wasm-file.js';
+import { COMMANDS, type Command } from './commands.js';
+import type { Options } from './option-groups.js';
 
 const WIDTH = 100;
 const EXIT = 'Exit code: 0 done, 1 the input is unusable, 2 wrong usage, 3 an output cannot be written, 4 some of several files failed, 5 all of several failed.';
@@ -65,6 +67,6 @@ export async function packageVersion(): Promise<string> {
 
 /** The version of this package, and the hash of its wasm file: the same hash makes the same plans. */
 export async function version(): Promise<string> {
-  const wasm = await readFile(new URL('../pkg/kerfway_bg.wasm', import.meta.url));
+  const wasm = await loadedFile('kerfway', () => readFile(new URL('../pkg/kerfway_bg.wasm', import.meta.url)));
   return `${await packageVersion()}\nkerfway_bg.wasm sha256 ${createHash('sha256').update(wasm).digest('hex')}`;
 }

@@ -9,8 +9,8 @@ import { JOINT_KINDS, JOINT_SIDES, jointRules, SIZE_TESTS, type JointPattern } f
 import { LEAD_KINDS, LEAD_POSITIONS, leadRules, type LeadChoice } from '../leads.js';
 import { number, oneOf, text, type Words } from './arguments.js';
 import { checkedAsWritten } from './as-written.js';
-import { RISKY_MOVES } from './commands.js';
 import { bytesOf, Unusable, WrongUse } from './io.js';
+import { RISKY_MOVES } from './option-groups.js';
 
 const OPTION_OF_TIPS = ['nozzle-radius', 'tip-margin', 'slats', 'tips-below', 'drops-below', 'cross-over'];
 const DEFAULT_MACHINE = 'co2-100w';

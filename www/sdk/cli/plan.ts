@@ -29,7 +29,7 @@ export async function plan(args: string[]): Promise<void> {
     }
     const saved = given.values['savings'] === true ? await usable(file, savingsOf(planner, options, result)) : null;
     if (saved !== null) {
-      for (const one of written) if (one.output.kind === 'json' && typeof one.data === 'string') one.data = withSavings(one.data, saved);
+      for (const one of written) if (one.output.kind === 'json' && typeof one.data === 'string') one.data = withSavings(one.data, saved.saved);
     }
     // The controller of some machines takes another file than G-code.
     const takes = (options.machine as MachineProfile | undefined)?.takes ?? 'gcode';

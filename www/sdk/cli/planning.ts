@@ -12,6 +12,7 @@ import { loadOptions, number, oneOf, parameters, placingOptions, seconds, text, 
 import { machineFiles, machineOf } from './machine.js';
 import { checkedAsWritten, leversAsWritten } from './as-written.js';
 import { eachFile, type Requested, type Outlet, type Place } from './batch.js';
+import { untilInterrupted } from './interrupt.js';
 import { nameOf, Unusable, usable } from './io.js';
 import { opened } from './opened.js';
 import { progressLine } from './progress.js';
@@ -137,24 +138,26 @@ async function searched(planner: Planner, options: PlanOptions, proving: ProofBu
   const plan = planner.plan(options, (progress) => {
     if (show) process.stderr.write(`\r\x1b[K${progressLine(progress, options, nameOf(file), place)}`);
   });
-  // The first Ctrl+C ends the search and keeps its result; the second ends the program.
   let prover: ProofHandle | null = null;
+  let interrupted = false;
   const stop = () => {
+    interrupted = true;
     plan.stop();
     prover?.stop();
   };
-  process.once('SIGINT', stop);
   try {
-    // Errors of the plan come first: what cannot be planned cannot be proven either.
-    await stopIfRefusedOffBed(plan, outputs, options);
-    prover = proving === null ? null : planner.prove(proving);
-    const [result, proof] = await Promise.all([plan.done, prover?.done ?? null]);
-    const better = proof?.path && mayBecomeBetter(options, planner) ? await planner.offer(proof.path) : null;
-    const progress = better ?? result.progress;
-    const summary = bounded(progress.summary, proof?.seconds ?? 0);
-    return { result: { ...result, progress: { ...progress, summary } }, proof };
+    return await untilInterrupted(stop, async () => {
+      // Errors of the plan come first: what cannot be planned cannot be proven either.
+      await stopIfRefusedOffBed(plan, outputs, options);
+      prover = proving === null ? null : planner.prove(proving);
+      if (interrupted) prover?.stop();
+      const [result, proof] = await Promise.all([plan.done, prover?.done ?? null]);
+      const better = proof?.path && mayBecomeBetter(options, planner) ? await planner.offer(proof.path) : null;
+      const progress = better ?? result.progress;
+      const summary = bounded(progress.summary, proof?.seconds ?? 0);
+      return { result: { ...result, progress: { ...progress, summary } }, proof };
+    });
   } finally {
-    process.removeListener('SIGINT', stop);
     if (show) process.stderr.write('\r\x1b[K');
   }
 }

@@ -1,22 +1,44 @@
 /** What the levers of a machine save, for `--savings`. */
 
-import type { PlanResult } from '../node.js';
+import type { PlanHandle, Planner, PlanResult } from '../node.js';
 import type { PlanOptions } from '../protocol.js';
-import { leverSavings, type LeverSaving, type Replanner } from '../savings.js';
+import { leverSavings, type LeverSaving } from '../savings.js';
 import { duration } from '../words.js';
+import { untilInterrupted } from './interrupt.js';
 
-/** What each lever saves in a plan. The plans without one are searched for as long as the plan was, from the beginning. */
-export async function savingsOf(planner: Replanner, { warm, ...options }: PlanOptions, { progress }: PlanResult): Promise<LeverSaving[]> {
+/** What the levers save, as far as they were compared. */
+export interface Compared {
+  saved: LeverSaving[];
+  /** Whether Ctrl+C ended the comparison. */
+  interrupted: boolean;
+}
+
+/** What each lever saves in a plan. The plans without one are searched for as long as the plan was, from the beginning. Ctrl+C skips the rest. */
+export async function savingsOf(planner: Planner, { warm, ...options }: PlanOptions, { progress }: PlanResult): Promise<Compared> {
   // A plan that was kept as it was has no budget of its own.
   if (warm !== undefined && options.moves === 0) delete options.moves;
-  const saved: LeverSaving[] = [];
-  for await (const one of leverSavings(planner, options, progress.summary.total_time)) saved.push(one);
-  return saved;
+  const compared: Compared = { saved: [], interrupted: false };
+  let running: PlanHandle | null = null;
+  const replanner = { plan: (without: PlanOptions) => (running = planner.plan(without)) };
+  const stop = () => {
+    compared.interrupted = true;
+    running?.stop();
+  };
+  return untilInterrupted(stop, async () => {
+    for await (const one of leverSavings(replanner, options, progress.summary.total_time)) {
+      // A search that was cut short says nothing.
+      if (compared.interrupted) break;
+      compared.saved.push(one);
+    }
+    return compared;
+  });
 }
 
 /** The lines of a report; `null`: nobody asked. */
-export function savingLines(saved: readonly LeverSaving[] | null): string[] {
-  if (saved === null) return [];
-  if (saved.length === 0) return ['Levers     the machine has none'];
-  return saved.map(({ lever, seconds }, k) => `${k === 0 ? 'Levers' : '      '}     ${lever} ${seconds >= 0 ? `saves ${duration(seconds)}` : `costs ${duration(-seconds)}`}`);
+export function savingLines(compared: Compared | null): string[] {
+  if (compared === null) return [];
+  const lines = compared.saved.map(({ lever, seconds }) => `${lever} ${seconds >= 0 ? `saves ${duration(seconds)}` : `costs ${duration(-seconds)}`}`);
+  if (compared.interrupted) lines.push(`${lines.length === 0 ? 'not' : 'the others not'} compared, because of Ctrl+C`);
+  if (lines.length === 0) lines.push('the machine has none');
+  return lines.map((line, k) => `${k === 0 ? 'Levers' : '      '}     ${line}`);
 }

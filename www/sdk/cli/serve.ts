@@ -27,14 +27,23 @@ export async function work(args: string[]): Promise<void> {
   await untilStopped('Kerfway takes jobs from the queue', () => worker.stop());
 }
 
+/** The signals that stop a service, with the exit code of a second one. */
+const ENDS = { SIGINT: 130, SIGTERM: 143 } as const;
+
 /** Prints the sentence that it runs, and waits for the signal to stop. A second one ends the process at once. */
 async function untilStopped(sentence: string, stop: () => Promise<void>): Promise<void> {
   await new Promise<void>((resolve) => {
-    for (const signal of ['SIGINT', 'SIGTERM'] as const) process.once(signal, () => resolve());
+    let stopping = false;
+    for (const signal of ['SIGINT', 'SIGTERM'] as const) {
+      process.on(signal, () => {
+        if (stopping) process.exit(ENDS[signal]);
+        stopping = true;
+        resolve();
+      });
+    }
     // Whoever reads the sentence may send the signal at once.
     process.stdout.write(`${sentence}\n`);
   });
-  process.once('SIGINT', () => process.exit(130));
   await stop();
 }
 
@@ -50,30 +59,44 @@ async function started<T>(work: Promise<T>): Promise<T> {
   }
 }
 
+/** The longest time that a timer can wait, in seconds: 2^31 - 1 milliseconds. */
+const LONGEST_TIMER = 2_147_000;
+/** The longest time for which results are kept: a year, in seconds. */
+const MOST_EXPIRES = 31_536_000;
+
 async function settingsOf({ values }: Words): Promise<ServerSettings> {
   const number = (name: string, fallback: number) => positive(values, name) ?? fallback;
+  const seconds = (name: string, fallback: number) => {
+    const n = number(name, fallback);
+    if (n > LONGEST_TIMER) throw new WrongUse(`--${name} ${n}: give at most ${LONGEST_TIMER} seconds, which are 24 days.`);
+    return n;
+  };
   const port = whole(values, 'port') ?? DEFAULTS.port;
   if (port > 65_535) throw new WrongUse(`--port ${port}: give a number from 0 to 65535.`);
   const queue = text(values, 'queue') ?? null;
   if (queue !== null && !/^rediss?:\/\/\S+$/.test(queue)) throw new WrongUse(`--queue ${queue}: give an address like redis://localhost:6379.`);
   const keys = text(values, 'keys');
+  const waiting = whole(values, 'waiting') ?? DEFAULTS.waiting;
+  if (queue !== null && waiting === 0) throw new WrongUse('--waiting 0: in a queue every job waits for a worker at first. Give at least 1.');
+  const expires = whole(values, 'expires') ?? DEFAULTS.expires;
+  if (expires < 1 || expires > MOST_EXPIRES) throw new WrongUse(`--expires ${expires}: give a whole number of seconds from 1 to ${MOST_EXPIRES}.`);
   const workers = whole(values, 'workers') ?? availableParallelism();
   if (workers < 1 || workers > 256) throw new WrongUse(`--workers ${workers}: give a number from 1 to 256.`);
   return {
     host: text(values, 'host') ?? DEFAULTS.host,
     port,
     workers,
-    waiting: whole(values, 'waiting') ?? DEFAULTS.waiting,
+    waiting,
     largest: number('largest', DEFAULTS.largest / 2 ** 20) * 2 ** 20,
-    upload: number('upload-seconds', DEFAULTS.upload),
+    upload: seconds('upload-seconds', DEFAULTS.upload),
     deadline: number('deadline', DEFAULTS.deadline),
     mostSeconds: number('most-seconds', DEFAULTS.mostSeconds),
     mostMoves: whole(values, 'most-moves') ?? DEFAULTS.mostMoves,
-    grace: number('grace', DEFAULTS.grace),
+    grace: seconds('grace', DEFAULTS.grace),
     cors: ((values['cors'] as string[] | undefined) ?? []).map(origin),
     keys: keys === undefined ? DEFAULTS.keys : await keysOf(keys),
     queue,
-    expires: number('expires', DEFAULTS.expires),
+    expires,
   };
 }
 

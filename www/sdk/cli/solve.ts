@@ -1,12 +1,13 @@
 /** `kerfway solve`: solves a benchmark instance (TSPLIB, GTSPLIB, PCGTSP) with the default method. */
 
-import { readFile } from 'node:fs/promises';
 import { basename } from 'node:path';
 import { oneWord, parsed, seconds, whole } from './arguments.js';
 import { DEFAULT_SECONDS } from '../options.js';
 import { Destinations, outputsOf } from './destinations.js';
+import { untilInterrupted } from './interrupt.js';
 import { bytesOf, Unusable } from './io.js';
 import { say } from './report.js';
+import { loadedResearch } from './research.js';
 import { elapsed, percentAtMost, plural } from '../words.js';
 
 /** Moves between two checks of the clock, which take a few milliseconds. */
@@ -50,8 +51,7 @@ function proven({ length, lower_bound: bound }: Solved): string {
 
 async function searched(file: string, seed: number, moves: number, limit: number): Promise<Solved> {
   const bytes = await bytesOf(file);
-  const research = await import('../pkg/kerfway_research.js');
-  research.initSync({ module: await readFile(new URL('../pkg/kerfway_research_bg.wasm', import.meta.url)) });
+  const research = await loadedResearch();
   const start = performance.now();
   const passed = () => (performance.now() - start) / 1000;
   let solving;
@@ -60,9 +60,14 @@ async function searched(file: string, seed: number, moves: number, limit: number
   } catch (error) {
     throw new Unusable(`${file}: ${(error as Error).message}`);
   }
-  while (solving.moves() < moves && passed() < limit) {
-    if (!solving.step(Math.min(SLICE, moves - solving.moves()))) break;
-  }
+  let interrupted = false;
+  await untilInterrupted(() => (interrupted = true), async () => {
+    while (!interrupted && solving.moves() < moves && passed() < limit) {
+      if (!solving.step(Math.min(SLICE, moves - solving.moves()))) break;
+      // Signals are handled between two slices.
+      await new Promise((resume) => setImmediate(resume));
+    }
+  });
   const tour = [...solving.tour()];
   return {
     name: solving.name(),

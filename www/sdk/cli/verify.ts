@@ -1,6 +1,5 @@
 /** `kerfway verify`: checks the certificate of a lower bound against its drawing. */
 
-import { readFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { createPlanner } from '../node.js';
 import type { MachineProfile, Verified } from '../protocol.js';
@@ -9,6 +8,7 @@ import { Destinations, outputsOf } from './destinations.js';
 import { bytesOf, Unusable, WrongUse } from './io.js';
 import { machineFiles, machineOf } from './machine.js';
 import { say } from './report.js';
+import { loadedResearch } from './research.js';
 
 export async function verify(args: string[]): Promise<void> {
   const given = parsed('verify', args, 'a certificate');
@@ -21,8 +21,7 @@ export async function verify(args: string[]): Promise<void> {
   const destinations = new Destinations(outputs, [beside, ...files]);
   destinations.begin([file]);
   const bytes = await (drawing === undefined ? orGiven(bytesOf(beside)) : bytesOf(drawing));
-  const research = await import('../pkg/kerfway_research.js');
-  research.initSync({ module: await readFile(new URL('../pkg/kerfway_research_bg.wasm', import.meta.url)) });
+  const research = await loadedResearch();
   let verified: Verified;
   try {
     verified = research.verifyCertificate(certificate, bytes, machine);
@@ -47,8 +46,11 @@ async function namedMachine(given: Words): Promise<{ files: string[]; machine?: 
 /** The drawing that the certificate names, in the folder of the certificate. It is used when the arguments name no drawing. */
 function besideCertificate(file: string, certificate: string): string {
   const name = /"drawing":\{"name":("(?:[^"\\]|\\.)*")/.exec(certificate)?.[1];
-  if (name === undefined) throw new Unusable(`${file} names no drawing: either it is no certificate, or give its drawing after it.`);
-  return join(dirname(file), JSON.parse(name) as string);
+  try {
+    return join(dirname(file), JSON.parse(name ?? '') as string);
+  } catch {
+    throw new Unusable(`${file} names no drawing: either it is no certificate, or give its drawing after it.`);
+  }
 }
 
 async function orGiven(read: Promise<Uint8Array>): Promise<Uint8Array> {

@@ -9,10 +9,12 @@ interface Planning {
   machine?: string;
   method?: string;
   units?: string;
+  dpi?: number | string;
   seconds?: number | string;
   moves?: number | string;
   seed?: number | string;
   workers?: number | string;
+  'allow-off-bed'?: boolean | '';
   labels?: Partial<ElementLabels>;
 }
 

@@ -33,6 +33,21 @@ export type ElementState = 'empty' | 'reading' | 'planning' | 'done' | 'failed';
 // On a server, where there is no `HTMLElement`, the module can still be imported.
 const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
 
+/** The events of an element with their types: those of the DOM, of which some have another meaning here. */
+type ElementEvents<Result> = Omit<HTMLElementEventMap, keyof DrawingEvents<Result>> & DrawingEvents<Result>;
+
+// The types of its listeners. `error` and `progress` are events of the DOM as well, with other members.
+export interface DrawingElement<Result, K extends OutputKind> {
+  /** @hidden Adds a listener. The events of the element have their `detail`; all others are those of the DOM. */
+  addEventListener<T extends keyof ElementEvents<Result>>(type: T, listener: (this: this, event: ElementEvents<Result>[T]) => unknown, options?: boolean | AddEventListenerOptions): void;
+  /** @hidden Adds a listener for an event of any other name. */
+  addEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | AddEventListenerOptions): void;
+  /** @hidden Removes a listener. */
+  removeEventListener<T extends keyof ElementEvents<Result>>(type: T, listener: (this: this, event: ElementEvents<Result>[T]) => unknown, options?: boolean | EventListenerOptions): void;
+  /** @hidden Removes a listener for an event of any other name. */
+  removeEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | EventListenerOptions): void;
+}
+
 /** The base class of `<kerfway-planner>` and `<kerfway-quote>`. `K` are the outputs that an element needs to make its `Result`. */
 export abstract class DrawingElement<Result, K extends OutputKind> extends Base {
   /** Opens the planner of an element; `define.ts` sets it. */
@@ -210,7 +225,8 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
   private show(loaded: Loaded): void {
     this.loaded = loaded;
     this.become('planning', this.words.contours(activeContours(loaded).length));
-    const machine = this.options.machine ?? this.getAttribute('machine');
+    // A framework may set the property to nothing.
+    const machine = this.options?.machine ?? this.getAttribute('machine');
     const preset = this.machines.find((m) => m.name === machine) ?? this.machines[0] ?? null;
     this.picture.show(loaded, typeof machine === 'object' && machine !== null ? machine : preset);
   }
@@ -267,5 +283,5 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
 
 /** The name of a file; other sources have none. */
 function nameOf(source: Source): string {
-  return typeof source === 'object' && 'name' in source && typeof source.name === 'string' ? source.name : 'drawing.dxf';
+  return typeof source === 'object' && source !== null && 'name' in source && typeof source.name === 'string' ? source.name : 'drawing.dxf';
 }

@@ -5,7 +5,7 @@
  *     <script type="module" src="kerfway/dist/sdk/element/index.js"></script>
  *     <kerfway-planner machine="co2-100w" seconds="5"></kerfway-planner>
  *
- * Attributes: `machine`, `method`, `units`, `seconds`, `moves`, `seed`, `workers`, with the meaning of the options of `plan`. Other options
+ * Attributes: `machine`, `method`, `units`, `dpi`, `seconds`, `moves`, `seed`, `workers`, `allow-off-bed`, with the meaning of the options of `plan`. Other options
  * (layers, a machine profile) are set by the property `options`. Both are read when a drawing is opened.
  * State, for style rules: the attribute `state` is one of `empty`, `reading`, `planning`, `done`, `failed`.
  * CSS parts: `stage`, `contours`, `path`, `drop`, `bar`, `numbers`, `message`, `button` with `choose`, `stop`, `download`, `again`.

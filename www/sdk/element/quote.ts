@@ -45,12 +45,12 @@ export class KerfwayQuote extends DrawingElement<Quote, never> {
   }
 
   // React and Vue set the property where a page in HTML has the attribute, which is the material's name.
-  set material(material: Material | string | null) {
+  set material(material: Material | string | null | undefined) {
     if (typeof material === 'string') {
       this.setAttribute('material', material);
       return;
     }
-    this.sheet = material;
+    this.sheet = material ?? null;
     this.reportAgain();
   }
 

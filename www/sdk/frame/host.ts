@@ -14,7 +14,7 @@
  */
 
 import { readBytes, viewed, type Bytes } from '../bytes.js';
-import { checkOne } from '../check.js';
+import { checkOne, isRecord, shown } from '../check.js';
 import { ClosedError, KerfwayError } from '../errors.js';
 import type { Planned } from '../functions.js';
 import { checkOptions, type PlanningOptions } from '../options.js';
@@ -65,8 +65,16 @@ interface Request {
 
 const DISCONNECTED = 'The frame was disconnected.';
 
-/** Connects to a frame whose address is set; it need not be loaded yet. Messages that are sent before it is ready are delivered later. */
+/**
+ * Connects to a frame whose address is set; it need not be loaded yet. Messages that are sent before it is ready are delivered later. Throws a
+ * `KerfwayError` for anything else, such as the `null` of a `querySelector` that finds nothing.
+ */
 export function connectFrame(iframe: HTMLIFrameElement, listener: FrameListener = {}): FrameConnection {
+  if (typeof iframe?.src !== 'string' || iframe.src === '') {
+    throw new KerfwayError('wrong-type', `The frame is ${shown(iframe)}, not an iframe with an address. Give the element once its src is set.`, { field: 'iframe' });
+  }
+  const callbacks: unknown = listener;
+  if (!isRecord(callbacks)) throw new KerfwayError('wrong-type', `The listener is ${shown(callbacks)}. Give an object with callbacks.`, { field: 'listener' });
   const { origin } = new URL(iframe.src, location.href);
   const requests = new Map<number, Request>();
   let lastId = 0;
@@ -160,11 +168,12 @@ export function connectFrame(iframe: HTMLIFrameElement, listener: FrameListener 
     setOptions: (options) => send({ type: 'options', options: checkOptions(options, 'readingAndPlanning') }),
     open: openFile,
     quote: openFile,
-    setMaterial: (material) => send({ type: 'material', ...checkOptions({ material }, 'terms') }),
+    // One that is undefined is no material either, and the frame would ignore the message.
+    setMaterial: (material) => send({ type: 'material', ...checkOptions({ material: material ?? (null as never) }, 'terms') }),
     stop: () => send({ type: 'stop' }),
-    render: async (kind, { width } = {}) => {
+    render: async (kind, options = {}) => {
       checkOne('The option', 'kind', { choice: KINDS }, kind);
-      checkOptions({ width }, 'render');
+      const { width } = checkOptions(options, 'render');
       return ask((id) => ({ type: 'render', id, kind, width: width ?? null }));
     },
     disconnect: () => {

@@ -3,6 +3,7 @@
  * frame are checked strictly: anything that is not exactly one of these is ignored.
  */
 
+import { isRecord } from '../check.js';
 import type { Planned } from '../functions.js';
 import type { PlanningOptions } from '../options.js';
 import type { ErrorReport, MachineProfile, MethodInfo, OutputKind, Progress } from '../protocol.js';
@@ -75,10 +76,6 @@ export function messageToFrame(data: unknown): ToFrame | null {
     default:
       return null;
   }
-}
-
-function isRecord(value: unknown): value is Record<string, unknown> {
-  return typeof value === 'object' && value !== null && !Array.isArray(value);
 }
 
 const isId = (value: unknown): value is number => Number.isSafeInteger(value);

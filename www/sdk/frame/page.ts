@@ -7,7 +7,6 @@
 import { KerfwayQuote, type KerfwayPlanner, type PlannerEvents } from '../element/index.js';
 import { KerfwayError, reportOf } from '../errors.js';
 import { checkOptions, type PlanningOptions } from '../options.js';
-import type { Quote } from '../quote.js';
 import { MARK, messageToFrame, originOf, type FromFrame, type ToFrame } from './messages.js';
 
 /** Milliseconds that a host has to name a price. */
@@ -33,7 +32,7 @@ function bridge(origin: string): void {
   let ready: FromFrame | null = null;
 
   const on = <K extends keyof PlannerEvents>(type: K, handle: (detail: PlannerEvents[K]['detail']) => void) =>
-    element.addEventListener(type as string, (event) => handle((event as PlannerEvents[K]).detail));
+    (element as HTMLElement).addEventListener(type, (event) => handle((event as unknown as PlannerEvents[K]).detail));
   /** Reports whose price the host has not told yet. */
   const prices = new Map<number, (text: string) => void>();
   let lastPrice = 0;
@@ -57,7 +56,7 @@ function bridge(origin: string): void {
     send(ready);
   });
   on('progress', ({ moves, seconds, rate, summary }) => send({ type: 'progress', progress: { moves, seconds, rate, summary } }));
-  if (element instanceof KerfwayQuote) element.addEventListener('result', (event) => send({ type: 'quoted', quote: (event as CustomEvent<Quote>).detail }));
+  if (element instanceof KerfwayQuote) element.addEventListener('result', ({ detail }) => send({ type: 'quoted', quote: detail }));
   else on('result', (result) => send({ type: 'result', result }));
   on('error', (detail) => send({ type: 'error', error: detail }));
 

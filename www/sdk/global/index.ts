@@ -29,8 +29,6 @@ export const { configure, createPlanner, createPool, inspect, plan, quote, rende
   workers,
   processors: () => navigator.hardwareConcurrency,
 });
-export { basket, priceBreaks } from '../basket.js';
-export { partThumbnail } from '../thumbnail.js';
-export { isKerfwayError, KerfwayError } from '../errors.js';
+export * from '../types.js';
 
 defineElements(() => createPlanner());

@@ -6,8 +6,8 @@ import type { Job } from './jobs.js';
 export type Answer = { status: 200; body: object } | { status: 202; body: { id: string; state: string } };
 
 export interface Backend {
-  /** Whether a request would have to wait too long. */
-  full(): Promise<boolean>;
+  /** Whether a request would have to wait too long, if so many uploads before it are still arriving. */
+  full(arriving: number): Promise<boolean>;
   /** Does a job, or puts it into the queue. */
   take(job: Job, bytes: Uint8Array, signal: AbortSignal): Promise<Answer>;
   /** The answer to a job that was put into the queue; `null` if there is no such job. */

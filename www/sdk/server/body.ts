@@ -25,6 +25,8 @@ const LONGEST_FIELD = 2 ** 20;
 /** Receives the body of a request. */
 export async function uploadOf(request: IncomingMessage, limits: BodyLimits): Promise<Upload> {
   const type = request.headers['content-type'] ?? '';
+  const encoding = request.headers['content-encoding'] ?? 'identity';
+  if (encoding !== 'identity') throw new KerfwayError('unsupported-media-type', `The body is encoded as ${JSON.stringify(encoding.slice(0, 40))}. Send it as it is, without a content encoding.`);
   const bytes = await received(request, limits);
   if (/^multipart\/form-data\b/i.test(type)) return formOf(bytes, type);
   // Any other type is taken for a drawing, because browsers and programs send many: curl says x-www-form-urlencoded.
@@ -78,6 +80,7 @@ async function formOf(bytes: Buffer, type: string): Promise<Upload> {
   const fields = new Map<string, string>();
   for (const [name, value] of form) {
     if (typeof value !== 'string') files.push(value);
+    else if (fields.has(name)) throw malformed(`The field ${JSON.stringify(name.slice(0, 40))} is given twice.`);
     else if (value.length > LONGEST_FIELD) throw malformed(`The field ${JSON.stringify(name.slice(0, 40))} is longer than ${LONGEST_FIELD} characters.`);
     else fields.set(name, value);
   }

@@ -1,6 +1,6 @@
 /** Describes the service as OpenAPI 3.1. The options come from the tables that check them, so that both say the same. */
 
-import type { Field, Kind } from '../check.js';
+import { optional, type Field, type Kind } from '../check.js';
 import { SHAPES } from '../fields.js';
 import { MOST_THUMBNAILS } from './jobs.js';
 import { fieldsOf, JOB_KINDS, type JobKind } from './request-options.js';
@@ -37,7 +37,7 @@ export function openapi(version: string, { queued, keys }: { queued: boolean; ke
         Health: { type: 'object', required: ['status', 'version', 'waiting', 'running'], properties: { status: { enum: ['ok', 'stopping'] }, version: { type: 'string' }, waiting: { type: 'integer' }, running: { type: 'integer' } } },
         Job: { type: 'object', required: ['id', 'state'], properties: { id: { type: 'string' }, state: { type: 'string' } } },
         Report: { type: 'object', required: ['schema'], properties: { schema: { type: 'string' } }, additionalProperties: true },
-        ...Object.fromEntries(JOB_KINDS.map((kind) => [optionsName(kind), objectOf(fieldsOf(kind))])),
+        ...Object.fromEntries(JOB_KINDS.map((kind) => [optionsName(kind), objectOf([NAME, ...fieldsOf(kind)])])),
         Machine: machineSchema(),
       },
     },
@@ -95,6 +95,9 @@ function failures(statuses: readonly number[]): Schema {
     ...(status === 429 ? { headers: { 'Retry-After': { description: 'Seconds.', schema: { type: 'integer' } } } } : {}),
   }]));
 }
+
+/** The name of the drawing's file, which the options may have as well. */
+const NAME = optional('name', 'text');
 
 const optionsName = (kind: JobKind) => `${kind[0]?.toUpperCase()}${kind.slice(1)}Options`;
 const ref = (name: string): Schema => ({ $ref: `#/components/schemas/${name}` });

@@ -77,9 +77,9 @@ export async function queueBackend(address: string, { waiting, expires }: Server
     }
   };
   return {
-    full: async () => {
+    full: async (arriving) => {
       last = await answered(queue.getWaitingCount());
-      return last >= waiting;
+      return last + arriving >= waiting;
     },
     take: async (job, bytes): Promise<Answer> => {
       const id = idOf(job, bytes);

@@ -42,10 +42,10 @@ export function requestOptions(kind: JobKind, query: URLSearchParams, form: Read
   for (const source of [query, form]) {
     const known = new Set<string>();
     for (const [name, text] of source) {
-      if (OWN.includes(name)) continue;
       const again = known.has(name);
       if (again && !holdsLists(fields.find((f) => f.name === name)?.kind)) throw givenTwice(name, name);
       known.add(name);
+      if (OWN.includes(name)) continue;
       set(options, fields, name.split('.'), text, { path: name, again });
     }
   }

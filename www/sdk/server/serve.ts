@@ -54,7 +54,11 @@ class HttpService {
   private readonly server: Server;
   private readonly metrics: Metrics;
   private readonly running = new Set<AbortController>();
+  /** The requests whose drawing is arriving, or is being put into the queue. */
+  private arriving = 0;
   private stopping = false;
+  /** Settles when the service has ended, once it was told to. */
+  private stopped: Promise<void> | null = null;
 
   constructor(
     private readonly settings: ServerSettings,
@@ -77,11 +81,10 @@ class HttpService {
     const address = this.server.address() as AddressInfo;
     const url = `http://${address.family === 'IPv6' ? `[${address.address}]` : address.address}:${address.port}`;
     this.log('info', 'started', { url, version: this.version, workers: this.settings.workers, queue: this.settings.queue !== null, keys: this.settings.keys.size });
-    return { url, stop: () => this.stop() };
+    return { url, stop: () => (this.stopped ??= this.stop()) };
   }
 
   private async stop(): Promise<void> {
-    if (this.stopping) return;
     this.stopping = true;
     this.log('info', 'stopping', { running: this.running.size });
     const closed = new Promise<void>((resolve) => this.server.close(() => resolve()));
@@ -151,13 +154,23 @@ class HttpService {
     if (this.stopping) throw new KerfwayError('stopping', 'The service is about to stop. Send the drawing again in a moment.');
     // Bodies that are still arriving take memory, too, so they count before they are read.
     this.takePlace(gone);
-    if (await this.backend.full()) throw busy();
-    gone.signal.throwIfAborted();
+    const before = this.arriving;
+    this.arriving += 1;
+    try {
+      if (await this.backend.full(before)) throw busy();
+      gone.signal.throwIfAborted();
+      return await this.receive(kind, request, url, gone);
+    } finally {
+      this.arriving -= 1;
+    }
+  }
+
+  private async receive(kind: JobKind, request: IncomingMessage, url: URL, gone: AbortController): Promise<Reply> {
     const { bytes, name, fields } = await uploadOf(request, this.settings);
     this.metrics.drawing(bytes.byteLength);
     const options = requestOptions(kind, url.searchParams, fields, this.settings);
     const job = {
-      kind, name: safeName(url.searchParams.get('name') ?? fields.get('name') ?? name), options,
+      kind, name: safeName(url.searchParams.get('name') ?? fields.get('name') ?? (options['name'] as string | undefined) ?? name), options,
       thumbnails: thumbnailsIn(kind, url.searchParams), acceptGuess: acceptGuessIn(url.searchParams, fields),
     };
     const answer = await this.backend.take(job, bytes, gone.signal);
@@ -190,8 +203,8 @@ class HttpService {
       'x-content-type-options': 'nosniff',
       ...this.cors(request),
       ...headers,
-      // The rest of a refused body is not read.
-      ...(unread ? { connection: 'close' } : {}),
+      // The rest of a refused body is not read, and a service that stops waits for no further request.
+      ...(unread || this.stopping ? { connection: 'close' } : {}),
     });
     response.end(request.method === 'HEAD' ? undefined : bytes);
     this.endUnread(request, response, bytes.length);
