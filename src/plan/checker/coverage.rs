@@ -7,6 +7,9 @@
 use super::tolerance::{SAME, rounding, stretch};
 use crate::geometry::{DVec2, Path, Segment, math};
 
+/// Elements shorter than this are rounding, mm.
+const NOTHING: f64 = SAME * SAME;
+
 /// Why a cut does not follow its contour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Fault {
@@ -24,7 +27,7 @@ pub(super) enum Fault {
 /// Checks that `cut` follows `contour`, up to a `gap` of some mm that is left uncut.
 pub(super) fn follows(contour: &Path, cut: &[Segment], gap: f64) -> Result<(), Fault> {
     let elements: Vec<Element> =
-        contour.segments.iter().filter(|s| s.length() > 0.0).map(Element::new).collect();
+        contour.segments.iter().filter(|s| s.length() > NOTHING).map(Element::new).collect();
     let length: f64 = elements.iter().map(|e| e.length).sum::<f64>() - gap;
     let same = SAME + elements.iter().map(|e| e.slack + stretch(e.shape)).sum::<f64>();
     let Some(first) = cut.first() else { return Err(Fault::Length { worked: 0.0, length }) };
@@ -102,7 +105,7 @@ impl Walk<'_> {
     fn along(&mut self, cut: &[Segment]) -> Result<(), Fault> {
         for piece in cut {
             let length = piece.length();
-            if length <= SAME * SAME {
+            if length <= NOTHING {
                 continue;
             }
             self.enter_next(length).ok_or(Fault::Strays(piece.start()))?;

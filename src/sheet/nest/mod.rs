@@ -209,9 +209,7 @@ impl<'c> Search<'c> {
     fn add_around_course(&mut self, i: u32, (own, least): (&Path, f64), outer: &mut Vec<u32>) {
         let Self { contours, sizes, all, crossed, slabs, slack, complete, .. } = self;
         let c = &contours[i as usize];
-        let is_rest = c.rest_of.is_some() && !own.closed;
-        let inner = shrunk(own.bounds(), *slack);
-        let witnesses = if is_rest { witnesses_of_rest(own) } else { witnesses(own) };
+        let (inner, witnesses) = (shrunk(own.bounds(), *slack), witnesses(own));
         let mut holds = |j: u32| {
             let other = &contours[j as usize];
             let Some(around) = other.boundary() else { return false };
@@ -221,6 +219,7 @@ impl<'c> Search<'c> {
             let slabs = slabs[j as usize].get_or_insert_with(|| Slabs::new(around));
             // An open line may run along an outline, which is neither inside nor outside. The rest of a shape and the outline of
             // its neighbour were drawn beside each other.
+            let is_rest = [c, other].iter().any(|c| c.rest_of.is_some() && !c.path.closed);
             let beside = if is_rest { *slack } else { ON_LINE };
             let on_line = |p: DVec2| around.segments.iter().any(|s| s.nearest(p).1 <= beside * beside);
             let decide = || witnesses.iter().filter(|p| own.closed || !on_line(**p));
@@ -254,22 +253,14 @@ impl<'c> Search<'c> {
     }
 }
 
-/// Points that represent what is left of a shape: three on each of up to 32 elements, of which many may lie on the outlines of
-/// neighbours.
-fn witnesses_of_rest(path: &Path) -> Vec<DVec2> {
-    let stride = path.segments.len().div_ceil(32).max(1);
-    path.segments.iter().step_by(stride).flat_map(|s| [0.171, 0.413, 0.829].map(|f| s.at(f))).collect()
-}
-
-/// Points that represent the contour: one well inside a closed contour, three on an open one.
+/// Points that represent the contour: one well inside a closed contour, three on each of up to 32 elements of an open one, away
+/// from ends and middles, where open contours often touch others.
 fn witnesses(path: &Path) -> Vec<DVec2> {
     if path.closed
         && let Some(p) = interior_point(path)
     {
         return vec![p];
     }
-    let n = path.segments.len();
-    // Positions away from ends and middles, where open contours often touch others.
-    let picked = [(n / 6, 0.171), (n / 2, 0.413), (n - 1 - n / 6, 0.829)];
-    picked.iter().filter_map(|&(i, f)| path.segments.get(i).map(|s| s.at(f))).collect()
+    let stride = path.segments.len().div_ceil(32).max(1);
+    path.segments.iter().step_by(stride).flat_map(|s| [0.171, 0.413, 0.829].map(|f| s.at(f))).collect()
 }
