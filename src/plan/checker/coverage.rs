@@ -108,7 +108,7 @@ impl Walk<'_> {
             if length <= NOTHING {
                 continue;
             }
-            self.enter_next(length).ok_or(Fault::Strays(piece.start()))?;
+            self.enter_next(piece).ok_or(Fault::Strays(piece.start()))?;
             let element = &self.elements[self.index];
             for t in [0.0, 0.25, 0.5, 0.75, 1.0] {
                 let there = (self.at + self.direction * t * length) / element.length;
@@ -127,13 +127,18 @@ impl Walk<'_> {
         Ok(())
     }
 
-    /// Continues from the end of an element to the next, unless a piece of this length is what is left of the element; `None` at
-    /// the end of an open contour.
-    fn enter_next(&mut self, piece: f64) -> Option<()> {
+    /// Continues from the end of an element to the next, unless a piece ends there instead of beginning there; `None` at the end
+    /// of an open contour.
+    fn enter_next(&mut self, piece: &Segment) -> Option<()> {
         let element = &self.elements[self.index];
         let last = self.elements.len() - 1;
-        let left = if self.direction > 0.0 { element.length - self.at } else { self.at };
-        if left > SAME + element.slack || piece <= left + SAME {
+        let (left, end) = if self.direction > 0.0 {
+            (element.length - self.at, element.shape.end())
+        } else {
+            (self.at, element.shape.start())
+        };
+        let ends_there = piece.end().distance(end) < piece.start().distance(end);
+        if left > SAME + element.slack || ends_there {
             return Some(());
         }
         if self.direction > 0.0 {
