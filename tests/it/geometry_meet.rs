@@ -1,7 +1,7 @@
 //! Intersections, inside tests, grid and box index, against brute force.
 
 use kerfway::geometry::{
-    Aabb, Arc, BoxIndex, DVec2, Path, Segment, interior_point, intersect, math, winding,
+    Aabb, Arc, BoxIndex, DVec2, Path, Segment, filled_area, interior_point, intersect, math, winding,
 };
 use rand::{RngExt, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -306,5 +306,25 @@ fn box_index_finds_what_brute_force_finds() {
             });
             assert_eq!(first.is_some(), !brute.is_empty());
         }
+    }
+}
+
+/// A disc, two discs of which one is run backwards, and a pentagram, whose middle is run around twice.
+#[test]
+fn the_filled_area_counts_every_lobe_once() {
+    let circle = |x: f64, ccw: bool| {
+        let path = Path::new(vec![Segment::Arc(Arc::circle(DVec2::new(x, 0.0), 10.0))], true);
+        if ccw { path } else { path.reversed() }
+    };
+    let disc = 100.0 * PI;
+    let both = Path::new([circle(0.0, true).segments, circle(30.0, false).segments].concat(), true);
+    let tip = |k: u32| math::unit(PI / 2.0 + 4.0 * PI / 5.0 * f64::from(k)) * 10.0;
+    let star = Path::new((0..5).map(|k| Segment::line(tip(k), tip(k + 1))).collect(), true);
+    // Ten triangles from the middle to a tip and to the inner corner beside it.
+    let inner = 10.0 * math::sin(PI / 10.0) / math::sin(7.0 * PI / 10.0);
+    let area = 10.0 * 0.5 * 10.0 * inner * math::sin(PI / 5.0);
+    for (path, wanted) in [(circle(0.0, true), disc), (both, 2.0 * disc), (star, area)] {
+        let is = filled_area(&path);
+        assert!((is / wanted - 1.0).abs() < 1e-4, "{is} instead of {wanted}");
     }
 }

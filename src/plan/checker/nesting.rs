@@ -21,6 +21,7 @@ const MANY_SAMPLES: usize = 512;
 /// on the outline. So duplicates lie inside neither, and a contour that crosses an outline does not lie inside it.
 /// Of two outlines that each lost sides, the larger one does not lie inside the smaller one, whatever is left of it. Sides that two
 /// outlines shared were drawn beside each other, and ends of what is left were moved: what lies that near to an outline is on it.
+/// Where each of two contours lies inside the other, as contours that cross themselves may, neither counts.
 ///
 /// What lies inside a contour lies inside everything around that contour, so of thousands of rings around each other, each is
 /// compared with the next one only.
@@ -74,6 +75,11 @@ pub(super) fn pairs(sheet: &Sheet) -> Vec<(u32, u32)> {
         sort_by(around, |&k| [outers[k].id.into(), 0, 0]);
         pairs.extend(around.iter().map(|&k| (inner, outers[k].id)));
     }
+    let is_odd =
+        |c: u32| sheet.contours[c as usize].self_crossing || sheet.contours[c as usize].rest_of.is_some();
+    let is_mutual = |&(a, b): &(u32, u32)| (is_odd(a) || is_odd(b)) && pairs.binary_search(&(b, a)).is_ok();
+    let mutual: Vec<(u32, u32)> = pairs.iter().copied().filter(is_mutual).collect();
+    pairs.retain(|pair| mutual.binary_search(pair).is_err());
     pairs
 }
 

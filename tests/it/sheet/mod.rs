@@ -12,4 +12,5 @@ mod metamorphic_networks;
 mod near_copies;
 mod nest;
 mod networks;
+mod overlaps;
 mod sketch;
