@@ -6,6 +6,7 @@
 //! through a vertex or along a tangent needs no special case (D. Alciatore, R. Miranda, "A winding number and
 //! point-in-polygon algorithm", 1995, extended to arcs).
 
+use super::affine::Affine;
 use super::path::Path;
 use super::segment::{Arc, Segment};
 use crate::order::{real, sort_by, whole};
@@ -77,14 +78,18 @@ pub fn interior_point(path: &Path) -> Option<DVec2> {
 }
 
 /// The area inside a path that may cross itself, mm2: of all points that it goes around, however often and in whichever
-/// direction. It is measured on 512 lines: for a disc or a star within 0.01 %.
+/// direction. It is measured on 512 parallel lines: for a disc, a bow tie or a star within 0.01 %.
 pub fn filled_area(path: &Path) -> f64 {
     const LINES: u32 = 512;
+    /// Few sides of drawings run in this direction, rad. Beside one that does, the width changes between two lines.
+    const DIRECTION: f64 = 0.2;
+    let turn = Affine::rotation(-DIRECTION);
+    let path = Path::new(path.segments.iter().filter_map(|s| turn.segment(s)).collect(), path.closed);
     let b = path.bounds();
     let apart = (b.max.y - b.min.y) / f64::from(LINES);
     let mut width = 0.0;
     for line in 0..LINES {
-        inner_stretches(path, b.min.y + apart * (f64::from(line) + 0.5), |_, w| width += w);
+        inner_stretches(&path, b.min.y + apart * (f64::from(line) + 0.5), |_, w| width += w);
     }
     width * apart
 }
