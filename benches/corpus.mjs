@@ -3,7 +3,7 @@
 //     npm run bench -- corpus FOLDER [--moves N] [--machine NAME]
 //
 // Every DXF and SVG file below the folder is read, planned with seed 1 and written as G-code, in wasm under Node, wherever it lies on the bed. What the
-// plan's own check or that of the program refuses is an error of ours: these files are listed. benches/data/repositories.txt names the public repositories
+// plan's own check or that of the program refuses is an error of ours: these files are listed. benches/repositories.txt names the public repositories
 // whose drawings were looked at in November 2026; they are not stored here, as most have no licence.
 
 import { readdirSync, readFileSync } from 'node:fs';
