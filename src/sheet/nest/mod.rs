@@ -221,7 +221,8 @@ impl<'c> Search<'c> {
             // its neighbour were drawn beside each other.
             let is_rest = [c, other].iter().any(|c| c.rest_of.is_some() && !c.path.closed);
             let beside = if is_rest { *slack } else { ON_LINE };
-            let on_line = |p: DVec2| around.segments.iter().any(|s| s.nearest(p).1 <= beside * beside);
+            let near = |p: DVec2| slabs.between(around, [p.y - beside, p.y + beside]);
+            let on_line = |p: DVec2| near(p).any(|s| s.nearest(p).1 <= beside * beside);
             let decide = || witnesses.iter().filter(|p| own.closed || !on_line(**p));
             let inside = |p: DVec2| winding_number(slabs.at(around, p.y), p) != 0;
             let held = || decide().map(|p| if inside(*p) { 1 } else { -1 }).sum::<i32>() > 0;

@@ -75,11 +75,20 @@ impl Slabs {
 
     /// The elements that may reach height `y`.
     pub(super) fn at<'a>(&'a self, path: &'a Path, y: f64) -> impl Iterator<Item = &'a Segment> {
+        self.between(path, [y, y])
+    }
+
+    /// The elements that may reach a height from `bottom` to `top`.
+    pub(super) fn between<'a>(
+        &'a self,
+        path: &'a Path,
+        [bottom, top]: [f64; 2],
+    ) -> impl Iterator<Item = &'a Segment> {
         let (all, picked) = match self {
             Self::One => (&path.segments[..], &[][..]),
             Self::Many { low, per_mm, offsets, items } => {
-                let k = slab(y - low, *per_mm, offsets.len() - 1);
-                (&[][..], &items[offsets[k] as usize..offsets[k + 1] as usize])
+                let [first, last] = [bottom, top].map(|y| slab(y - low, *per_mm, offsets.len() - 1));
+                (&[][..], &items[offsets[first] as usize..offsets[last + 1] as usize])
             }
         };
         all.iter().chain(picked.iter().map(|&i| &path.segments[i as usize]))
