@@ -3,16 +3,13 @@
 import assert from 'node:assert/strict';
 import { after, before, beforeEach, describe, it } from 'node:test';
 import { createPlanner, PROVEN, verifyQuote } from 'kerfway';
-import { bytes, circle, dxf, KEYBOARD, square } from './support.mjs';
+import { bytes, circle, dxf, KEYBOARD, LONG, square } from './support.mjs';
 
 let planner;
 before(async () => (planner = await createPlanner()));
 after(() => planner.close());
 
 const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
-
-/** A search that would run for a minute. */
-const LONG = { seconds: 60, seed: 1, allowOffBed: true };
 
 describe('a proof', () => {
   before(() => planner.load(bytes(KEYBOARD), 'keyboard.dxf'));

@@ -3,18 +3,11 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, it } from 'node:test';
 import { createPlanner } from 'kerfway';
-import { bytes, circle, dxf, KEYBOARD, square } from './support.mjs';
+import { bytes, KEYBOARD, LONG, PLATE, PLATE_OPTIONS } from './support.mjs';
 
 let planner;
 before(async () => (planner = await createPlanner()));
 after(() => planner.close());
-
-/** A plate of 100 mm with a hole of radius 10 in its middle, and a marked circle beside it. */
-const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10), circle(150, 50, 5, 'MARK'));
-const PLATE_OPTIONS = { units: 'mm', layers: [{ name: 'MARK', operation: 'mark' }] };
-
-/** A search that would run for a minute. */
-const LONG = { seconds: 60, seed: 1, allowOffBed: true };
 
 describe('load', () => {
   it('reports contours, parts, layers and units', async () => {

@@ -95,3 +95,10 @@ export function install(at, tarball) {
   writeFileSync(join(at, 'package.json'), '{ "type": "module", "private": true }');
   execFileSync('npm', ['install', '--offline', '--no-audit', '--no-fund', `./${tarball}`], { cwd: at, stdio: ['ignore', 'ignore', 'ignore'] });
 }
+
+/** A plate of 100 mm with a hole of radius 10 in its middle, and a marked circle beside it. */
+export const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10), circle(150, 50, 5, 'MARK'));
+export const PLATE_OPTIONS = { units: 'mm', layers: [{ name: 'MARK', operation: 'mark' }] };
+
+/** A search that would run for a minute. */
+export const LONG = { seconds: 60, seed: 1, allowOffBed: true };
