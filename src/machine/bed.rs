@@ -114,7 +114,7 @@ impl Profile {
             ));
         }
         if !start.is_absolute() {
-            // The head stands at the origin, which is on the bed too.
+            // The head begins at the origin, so that place has to be on the bed as well.
             let reach = job.with(DVec2::ZERO).size();
             return (!fits(reach)).then(|| {
                 format!(

@@ -124,7 +124,7 @@ fn lies_inside(path: &Path, outer: &Path, same: f64) -> bool {
         && (path.segments.len() <= SAMPLES / 2 || samples_inside(path, MANY_SAMPLES, outer, same))
 }
 
-/// Whether of about so many points of a path none is outside, and one inside.
+/// Whether, of about `samples` points on a path, none lies outside an outline and at least one lies inside.
 fn samples_inside(path: &Path, samples: usize, outer: &Path, same: f64) -> bool {
     let segments = &path.segments;
     let stride = segments.len().div_ceil(samples / 2).max(1);

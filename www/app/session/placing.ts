@@ -55,7 +55,7 @@ export function fitsBed(placing: Placing, machine: MachineProfile | null, loaded
   if (!machine?.bed) return true;
   const [x0, y0, x1, y1] = machine.bed;
   const job = jobBox(placing, loaded);
-  // The head stands at the origin, which is on the bed too.
+  // The head begins at the origin, so that place has to be on the bed as well.
   const reach = (from: number, to: number) => Math.max(to, 0) - Math.min(from, 0);
   if (placing.start === 'current') return reach(job[0], job[2]) <= x1 - x0 + 2 * EDGE && reach(job[1], job[3]) <= y1 - y0 + 2 * EDGE;
   return job[0] >= x0 - EDGE && job[1] >= y0 - EDGE && job[2] <= x1 + EDGE && job[3] <= y1 + EDGE;

@@ -6,7 +6,7 @@ import type { Job } from './jobs.js';
 export type Answer = { status: 200; body: object } | { status: 202; body: { id: string; state: string } };
 
 export interface Backend {
-  /** Whether a request would have to wait too long, if so many uploads before it are still arriving. */
+  /** Whether a further request would have to wait too long. `arriving`: the number of uploads before it that are not complete yet. */
   full(arriving: number): Promise<boolean>;
   /** Does a job, or puts it into the queue. */
   take(job: Job, bytes: Uint8Array, signal: AbortSignal): Promise<Answer>;
