@@ -319,9 +319,7 @@ impl<'d> Writer<'d> {
             Some(how) => self.pen.pierce(how, seconds),
             None => {}
         }
-        for segment in rest.as_deref().unwrap_or(path) {
-            self.pen.cut(segment);
-        }
+        self.pen.cut(rest.as_deref().unwrap_or(path));
         if rests {
             self.pen.settle_dark(self.profile.beam_off_delay);
         }
@@ -334,9 +332,7 @@ impl<'d> Writer<'d> {
         let whole = path.length();
         let length = length.min(whole * 0.5).min(process.speed * seconds);
         self.pen.set_speed(length / seconds);
-        for segment in path.between(0.0, length) {
-            self.pen.cut(&segment);
-        }
+        self.pen.cut(&path.between(0.0, length));
         self.pen.set_speed(process.speed);
         path.between(length, whole)
     }

@@ -6,7 +6,8 @@
 //! controllers differ on arcs that end where they start. I and J are computed from the rounded ends: the centre is moved
 //! onto the perpendicular bisector of the rounded chord, so both radii agree up to the rounding of I and J themselves. An
 //! arc that coincides with its chord after rounding is written as a line, and an element that rounds to one point is
-//! skipped. An arc that a controller might refuse or distort, because of its 32-bit numbers or because I and J have few
+//! skipped. So is an element shorter than a step of the grid within a cut: rounding would turn it into another direction,
+//! and the controller would slow down for a corner that nobody drew. An arc that a controller might refuse or distort, because of its 32-bit numbers or because I and J have few
 //! decimals, is written as chords (`grbl_arc.rs`), as is every arc in a dialect without arcs.
 //!
 //! Every motion, as written, lies within 0.002 mm of its element, or within the dialect's tolerance of chords.
@@ -135,8 +136,18 @@ impl<'d> Pen<'d> {
         self.lower_to(process.z);
     }
 
-    /// Moves along an element with the beam on.
-    pub(super) fn cut(&mut self, segment: &Segment) {
+    /// Moves along the elements of a cut with the beam on.
+    pub(super) fn cut(&mut self, path: &[Segment]) {
+        let Some((last, before)) = path.split_last() else { return };
+        for segment in before {
+            if !self.is_within_a_step(segment) {
+                self.element(segment);
+            }
+        }
+        self.element(last);
+    }
+
+    fn element(&mut self, segment: &Segment) {
         match segment {
             Segment::Line(l) => self.straight(self.rounded(l.end)),
             Segment::Arc(a) => match self.dialect.chords {
@@ -149,7 +160,7 @@ impl<'d> Pen<'d> {
     /// Runs along elements as if it cut, with the power at 0.
     pub(super) fn run_dark(&mut self, path: &[Segment]) {
         let power = std::mem::replace(&mut self.power, "0".to_owned());
-        path.iter().for_each(|segment| self.cut(segment));
+        self.cut(path);
         self.power = power;
     }
 
@@ -238,6 +249,14 @@ impl<'d> Pen<'d> {
     /// A place in mm, rounded in units of the file.
     fn rounded(&self, p: DVec2) -> DVec2 {
         (p / self.dialect.units.mm() * self.grid).round() / self.grid
+    }
+
+    /// Whether an element is shorter than a step of the grid and ends within one of where the head is, so that several in a row
+    /// are not lost.
+    fn is_within_a_step(&self, segment: &Segment) -> bool {
+        let unit = self.dialect.units.mm();
+        let step = unit / self.grid;
+        segment.length() < step && segment.end().distance(self.at * unit) < step
     }
 
     fn half_grid(&self) -> f64 {

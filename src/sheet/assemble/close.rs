@@ -19,7 +19,7 @@ use std::f64::consts::TAU;
 const MIN_LENGTH_IN_GAPS: f64 = 10.0;
 
 /// The gap that is too small for programs, whose coordinates have three decimals of a millimetre: half a step, mm.
-const INVISIBLE: f64 = 5e-4;
+pub(super) const INVISIBLE: f64 = 5e-4;
 /// The shortest chord of an arc whose start is moved over such a gap, in gaps: it turns by at most 0.6 degrees.
 const MIN_CHORD_IN_GAPS: f64 = 100.0;
 

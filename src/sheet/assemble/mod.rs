@@ -9,6 +9,7 @@
 //! 3. **Faces** ([`network`]). Where lines serve two parts (branches, ends that meet the middle of another line), the
 //!    areas that they enclose together become contours.
 //! 4. **Trace** ([`trace`]). Joined chains become paths whose elements meet bit for bit.
+//! 5. **Fragments** ([`fragments`]). Elements that no program can show are removed.
 //!
 //! The work is bounded for any drawing: points
 //! are united in linear time, a branch of n ends compares O(n log n) pairs, and gaps are closed in rising steps of
@@ -16,6 +17,7 @@
 
 mod close;
 mod ends;
+mod fragments;
 mod gaps;
 mod junctions;
 mod network;
@@ -73,7 +75,11 @@ pub(super) fn assemble(
         None => (chains, ends, branches),
     };
     gaps::report(source, &ends, &branches, tolerance, findings);
-    Assembly { contours: trace::contours(source, chains, &ends, tolerance, findings), searched }
+    let mut contours = trace::contours(source, chains, &ends, tolerance, findings);
+    for contour in &mut contours {
+        contour.path = fragments::without_fragments(std::mem::take(&mut contour.path));
+    }
+    Assembly { contours, searched }
 }
 
 /// Joins the ends of chains; returns them with the branches.
