@@ -214,3 +214,8 @@ it('instances made by seed are the same everywhere', () => {
   assert.equal(contours.length, 30);
   assert.deepEqual(contours[0].start, generated({ seed: 7, count: 30 }).contours[0].start);
 });
+
+it('names of instances that there are not are refused, where nothing was done and nothing said', () => {
+  assert.throws(() => [...instances({ only: 'no-such' })], /No instance has "no-such" in its name/);
+  assert.throws(() => [...instances({ track: 'XX' })], /No instance of the track XX/);
+});
