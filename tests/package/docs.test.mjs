@@ -73,6 +73,10 @@ describe('the pages for people name what exists', () => {
     for (const page of PAGES) assert.doesNotMatch(read(page), /npx kerfway/, page);
   });
 
+  it('no folder that a reader does not have, beside the repository', () => {
+    for (const page of PAGES) for (const [, target] of read(page).matchAll(/(?:^| |=)((?:\.\.\/)+[\w/.-]+)/gm)) assert.ok(existsSync(join(ROOT, dirname(page), target)), `${page}: ${target}`);
+  });
+
   it('commands: npm scripts, benches and native tests', () => {
     const { scripts } = JSON.parse(read('package.json'));
     const modules = read(join('tests', 'it', 'main.rs'));
