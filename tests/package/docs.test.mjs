@@ -64,6 +64,15 @@ describe('the pages for people name what exists', () => {
     assert.deepEqual(wrong, []);
   });
 
+  it('every script of the project and every bench, in CONTRIBUTING', () => {
+    const text = read('CONTRIBUTING.md');
+    const { scripts } = JSON.parse(read('package.json'));
+    for (const name of Object.keys(scripts).filter((name) => name !== 'setup')) assert.match(text, new RegExp(`npm (run )?${name}\\b`), name);
+    const benches = readdirSync(join(ROOT, 'benches')).filter((file) => file.endsWith('.mjs') && file !== 'run.mjs').map((file) => file.slice(0, -4));
+    const row = text.split('\n').find((line) => line.startsWith('| `npm run bench -- NAME`'));
+    assert.deepEqual(benches.filter((name) => !row.includes(`\`${name}\``)), []);
+  });
+
   it('commands of the benchmark', () => {
     const code = read(join('benchmark', 'run.mjs'));
     for (const page of PAGES) for (const name of commands(page, /npm run benchmark -- ([a-z]+)/g)) assert.ok(code.includes(`  async ${name}(`), `${page}: ${name}`);
