@@ -24,8 +24,7 @@ export function keep(folder) {
     const bytes = readFileSync(file);
     const { bound, by = 'unknown', ...plan } = JSON.parse((file.endsWith('.gz') ? gunzipSync(bytes) : bytes).toString());
     const best = entry.best;
-    // A bound is taken on trust, but one above a value that is known to be reached is wrong.
-    const possible = typeof bound === 'number' && bound <= Math.min(value, best?.value ?? value) * (1 + SAME);
+    const possible = isPossible(bound, Math.min(value, best?.value ?? value));
     if (bound !== undefined && !possible) console.log(`${entry.name}: the bound ${bound} cannot be right, and is left out`);
     const known = Math.max(possible ? bound : 0, best?.bound ?? 0);
     if (best === undefined || value < best.value * (1 - SAME)) {
@@ -39,5 +38,8 @@ export function keep(folder) {
   }
   store(list);
 }
+
+/** A bound is taken on trust, but one above a value that is known to be reached is wrong. */
+export const isPossible = (bound, reached) => typeof bound === 'number' && bound <= reached * (1 + SAME);
 
 const rounded = (value) => Number(value.toFixed(6));

@@ -9,6 +9,7 @@ import { describe, it } from 'node:test';
 import { gunzipSync } from 'node:zlib';
 import { generated } from '../../benchmark/generate.mjs';
 import { HERE, instances, listed } from '../../benchmark/instances.mjs';
+import { isPossible } from '../../benchmark/keep.mjs';
 import { plot } from '../../benchmark/plot.mjs';
 import { solved } from '../../benchmark/solve.mjs';
 
@@ -218,4 +219,8 @@ it('instances made by seed are the same everywhere', () => {
 it('names of instances that there are not are refused, where nothing was done and nothing said', () => {
   assert.throws(() => [...instances({ only: 'no-such' })], /No instance has "no-such" in its name/);
   assert.throws(() => [...instances({ track: 'XX' })], /No instance of the track XX/);
+});
+
+it('a plan could bring a lower bound above the best value into the list', () => {
+  assert.deepEqual([99, 100, 101, '99', null, undefined, NaN].map((bound) => isPossible(bound, 100)), [true, true, false, false, false, false, false]);
 });
