@@ -5,7 +5,8 @@
     python3 check.py --instance NAME PLAN     one plan for an instance of the benchmark
 
 Prints a line for each plan: its value, or the name of what is wrong and where. Exit code 0 if every plan is sound, 1 if one is wrong, 2 if
-the command is. README.md defines instances, plans, rules and cost; the names of the faults are those of `Wrong` below.
+the command is, or if there is nothing to check. README.md defines instances, plans, rules and cost; the names of the faults are those of
+`Wrong` in contours.py.
 """
 
 import gzip
@@ -13,150 +14,48 @@ import hashlib
 import json
 import math
 import sys
-from bisect import bisect
-from itertools import accumulate
+import zlib
 from pathlib import Path
 
+from contours import NEAR, Arc, Contour, Grid, Wrong, number, pieces, point, short, show  # noqa: F401
 from gtsplib import read
 
 HERE = Path(__file__).resolve().parent
-NEAR = 1e-3  # mm: how far a plan may be from the geometry of its instance
-STEP = 0.5  # mm: lines and arcs are compared with the contour this often, and at least eight times
 
 
-class Wrong(Exception):
-    """A plan that breaks a rule. Its text begins with one of: not-a-plan, not-a-number, no-pierce, off-contour, not-whole, not-an-endpoint,
-    cut-twice, not-cut, order, no-return, visited-twice, not-visited, claim."""
+class Unusable(Exception):
+    """A file that is missing or is not what it should be, which is not the fault of a plan."""
 
 
 def load(path):
-    data = Path(path).read_bytes()
-    return gzip.decompress(data) if str(path).endswith(".gz") else data
+    try:
+        data = Path(path).read_bytes()
+    except OSError as error:
+        raise Unusable(f"{path} cannot be read: {error.strerror}") from error
+    try:
+        return gzip.decompress(data) if str(path).endswith(".gz") else data
+    except (OSError, EOFError, zlib.error) as error:
+        raise Wrong(f"not-a-plan: {path} is not a gzip file: {error}") from error
 
 
-def number(value):
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
-        raise Wrong(f"not-a-number: {value!r} stands where a number is needed")
-    return float(value)
+def plan_of(path):
+    """What is in the file of a plan."""
+    try:
+        return json.loads(load(path))
+    except (ValueError, RecursionError) as error:
+        raise Wrong(f"not-a-plan: the file is not JSON: {error}") from error
 
 
-def point(value):
-    if not isinstance(value, list) or len(value) != 2:
-        raise Wrong(f"not-a-plan: {value!r} stands where a point [x, y] is needed")
-    return number(value[0]), number(value[1])
-
-
-def pieces(start, path):
-    """The lines and arcs of a path."""
-    if not isinstance(path, list) or not path:
-        raise Wrong("not-a-plan: a cut has no path")
-    for piece in path:
-        if "line" in piece:
-            yield Line(start, point(piece["line"]))
-        elif "arc" in piece:
-            yield Arc(start, point(piece["arc"]), point(piece["center"]), piece.get("ccw") is True)
-        else:
-            raise Wrong(f"not-a-plan: {json.dumps(piece)} is neither a line nor an arc")
-        start = point(piece.get("line", piece.get("arc")))
-
-
-class Line:
-    def __init__(self, a, b):
-        self.a, self.end, self.length = a, b, math.dist(a, b)
-
-    def at(self, t):
-        return self.a[0] + t * (self.end[0] - self.a[0]), self.a[1] + t * (self.end[1] - self.a[1])
-
-    def nearest(self, p):
-        along = sum((self.end[i] - self.a[i]) * (p[i] - self.a[i]) for i in (0, 1))
-        return min(max(along / self.length**2, 0.0), 1.0) if self.length > 0 else 0.0
-
-
-class Arc:
-    def __init__(self, a, b, center, ccw):
-        self.center, self.end, self.radius = center, b, math.dist(center, a)
-        if abs(self.radius - math.dist(center, b)) > NEAR:
-            raise Wrong(f"off-contour: the ends of an arc around {show(center)} are at different distances from it")
-        self.first, self.sign = self.angle(a), 1 if ccw else -1
-        sweep = (self.angle(b) - self.first) * self.sign % (2 * math.pi)
-        # Ends that are the same point are a whole turn.
-        self.sweep = 2 * math.pi if math.dist(a, b) <= 1e-9 or sweep == 0 else sweep
-        self.length = self.radius * self.sweep
-
-    def angle(self, p):
-        return math.atan2(p[1] - self.center[1], p[0] - self.center[0])
-
-    def at(self, t):
-        angle = self.first + self.sign * self.sweep * t
-        return self.center[0] + self.radius * math.cos(angle), self.center[1] + self.radius * math.sin(angle)
-
-    def nearest(self, p):
-        turned = (self.angle(p) - self.first) * self.sign % (2 * math.pi)
-        if turned <= self.sweep:
-            return turned / self.sweep
-        return 1.0 if turned - self.sweep < 2 * math.pi - turned else 0.0
-
-
-class Contour:
-    """A contour by the length along it, and the stretches that are cut."""
-
-    def __init__(self, data):
-        self.start, self.closed, self.inside = point(data["start"]), data["closed"], data["inside"]
-        self.parts = list(pieces(self.start, data["path"]))
-        self.vertices = list(accumulate((part.length for part in self.parts), initial=0.0))
-        self.length, self.cuts = self.vertices[-1], []
-
-    def at(self, s):
-        s = s % self.length if self.closed else min(max(s, 0.0), self.length)
-        k = min(bisect(self.vertices, s), len(self.parts)) - 1
-        part = self.parts[k]
-        return part.at(min((s - self.vertices[k]) / part.length, 1.0) if part.length > 0 else 0.0)
-
-    def places(self, p):
-        """Lengths along the contour at which it passes within NEAR of a point."""
-        for begin, part in zip(self.vertices, self.parts):
-            t = part.nearest(p)
-            if math.dist(part.at(t), p) <= NEAR:
-                yield begin + t * part.length
-
-    def follow(self, start, cut):
-        """Where a cut begins and ends along the contour, or None if it leaves the contour."""
-        for s in self.places(start):
-            for way in (1, -1):
-                here = s
-                for piece in cut:
-                    n = max(8, math.ceil(piece.length / STEP))
-                    if any(math.dist(piece.at(k / n), self.at(here + way * piece.length * k / n)) > 2 * NEAR for k in range(n + 1)):
-                        break
-                    here += way * piece.length
-                else:
-                    if self.closed or -NEAR <= here <= self.length + NEAR:
-                        return s, here
-        return None
-
-    def is_open_at(self, p):
-        """Whether an earlier cut of this contour begins or ends here: no piercing is needed to go on."""
-        return any(math.dist(self.at(s), p) <= 2 * NEAR for stretch in self.cuts for s in stretch)
-
-
-class Grid:
-    """Contours by the squares their boundaries pass, so that a cut is compared with few of them."""
-
-    SIDE = 5.0
-
-    def __init__(self, contours):
-        self.squares = {}
-        for index, contour in enumerate(contours):
-            steps = math.ceil(contour.length / self.SIDE * 2) + 1
-            for k in range(steps + 1):
-                self.squares.setdefault(self.square(contour.at(contour.length * k / steps)), set()).add(index)
-
-    def square(self, p):
-        return math.floor(p[0] / self.SIDE), math.floor(p[1] / self.SIDE)
-
-    def near(self, p):
-        x, y = self.square(p)
-        return sorted(set().union(*(self.squares.get((x + i, y + j), ()) for i in (-1, 0, 1) for j in (-1, 0, 1))))
+def instance_in(path):
+    """An instance in a file."""
+    try:
+        instance = json.loads(load(path))
+        if "gtsplib" not in instance:
+            [Contour(c) for c in instance["contours"]]
+            _ = instance["cost"]["unit"], instance["cost"]["pierce"], instance["track"], instance["closed"], instance["home"]
+        return instance
+    except (Wrong, KeyError, TypeError, ValueError, RecursionError) as error:
+        raise Unusable(f"{path} is not an instance: {error!r}") from error
 
 
 def air(cost, distance):
@@ -172,61 +71,79 @@ def cutting(instance, plan):
     """The value of a plan for an instance of the tracks CCP, ECP, ICP and TIME."""
     cost, contours = instance["cost"], [Contour(c) for c in instance["contours"]]
     grid, home = Grid(contours), tuple(instance["home"])
-    here, value, pierced, finished = home, 0.0, False, []
+    here, value, pierced, when = home, 0.0, False, {}
     if not isinstance(plan, dict) or not isinstance(plan.get("moves"), list):
         raise Wrong("not-a-plan: there is no list of moves")
     for k, move in enumerate(plan["moves"]):
-        kind = move.get("kind") if isinstance(move, dict) else None
+        kind, cut, to = read_move(move, here, k)
         if kind == "air":
-            to = point(move["to"])
             value, pierced = value + air(cost, math.dist(here, to)), False
         elif kind == "pierce":
-            to, value, pierced = here, value + cost["pierce"], True
-        elif kind == "cut":
-            path = list(pieces(here, move.get("path")))
-            to = path[-1].end
-            index, s, end = next(((i, *found) for i in grid.near(here) if (found := contours[i].follow(here, path))), (None, 0, 0))
-            if index is None:
-                raise Wrong(f"off-contour: move {k} from {show(here)} to {show(to)} does not follow any one contour")
-            if not pierced and not contours[index].is_open_at(here):
-                raise Wrong(f"no-pierce: move {k} cuts at {show(here)}, where nothing was pierced or cut before")
-            if covered(contours[index], s, end, instance["track"], k):
-                finished.append(index)
+            value, pierced = value + cost["pierce"], True
         else:
-            raise Wrong(f"not-a-plan: move {k} is of the kind {kind!r}")
+            found = [(i, *ends) for i in grid.near(here) if (ends := contours[i].follow(here, cut))]
+            if not found:
+                raise Wrong(f"off-contour: move {k} from {show(here)} to {show(to)} does not follow any one contour")
+            # Where contours lie on each other, the one that is not cut yet.
+            index, s, end = next((f for f in found if contours[f[0]].cut_before(*f[1:])[0] <= 2 * NEAR), found[0])
+            if not pierced and not contours[index].is_open_at(here):
+                raise Wrong(f"no-pierce: move {k} cuts at {show(here)}, where nothing was pierced, and no cut of this contour ends")
+            cover(contours[index], s, end, instance["track"], k)
+            if contours[index].is_cut():
+                when.setdefault(index, k)
+            pierced = False
         here = to
-    when = {contour: k for k, contour in enumerate(finished)}
     for index, contour in enumerate(contours):
         if index not in when:
             raise Wrong(f"not-cut: contour {index}, which begins at {show(contour.start)}, is not wholly cut")
         if contour.inside is not None and when.get(contour.inside, len(contours)) < when[index]:
-            raise Wrong(f"order: contour {index} is finished after contour {contour.inside}, inside which it lies")
+            raise Wrong(
+                f"order: contour {index}, which begins at {show(contour.start)}, is finished by move {when[index]}, "
+                f"after contour {contour.inside}, inside which it lies"
+            )
     if instance["closed"] and math.dist(here, home) > NEAR:
         raise Wrong(f"no-return: the head ends at {show(here)} and not at home, {show(home)}")
     return value
 
 
-def covered(contour, s, end, track, k):
-    """Adds a stretch to what is cut of a contour, and says whether all of it is cut now."""
+def read_move(move, here, k):
+    """The kind of a move, the lines and arcs of a cut, and where it ends."""
+    kind = move.get("kind") if isinstance(move, dict) else None
+    try:
+        if kind == "air":
+            return kind, None, point(move.get("to"))
+        if kind == "cut":
+            cut = list(pieces(here, move.get("path")))
+            return kind, cut, cut[-1].end
+    except Wrong as wrong:
+        raise Wrong(f"{wrong}, in move {k} from {show(here)}") from None
+    if kind != "pierce":
+        raise Wrong(f"not-a-plan: move {k} is of the kind {short(kind)}")
+    return kind, None, here
+
+
+def cover(contour, s, end, track, k):
+    """Adds a cut to what is cut of a contour, if the track allows it."""
     length = abs(end - s)
+    if length <= 2 * NEAR:
+        # Many of them would add up to a contour, or lead along one that is cut already.
+        raise Wrong(f"not-a-plan: move {k} at {show(contour.at(s))} is a cut of {length:.4f} mm; a cut is longer than {2 * NEAR} mm")
     if track in ("CCP", "TIME") and abs(length - contour.length) > 2 * NEAR and not contour.cuts:
-        raise Wrong(f"not-whole: move {k} cuts {length:.3f} mm of a contour of {contour.length:.3f} mm, which is cut in one go on this track")
+        raise Wrong(
+            f"not-whole: move {k} at {show(contour.at(s))} cuts {length:.3f} mm of a contour of {contour.length:.3f} mm, "
+            "which is cut in one go on this track"
+        )
     if track == "ECP" and not all(any(math.dist(contour.at(x), contour.at(v)) <= NEAR for v in contour.vertices) for x in (s, end)):
-        raise Wrong(f"not-an-endpoint: move {k} begins or ends within a line or arc; on this track only their ends may be used")
-    low, high = min(s, end), max(s, end)
-    shift = math.floor(low / contour.length) * contour.length if contour.closed else 0.0
-    low, high = low - shift, high - shift
-    wrapped = [(low, min(high, contour.length))] + ([(0.0, high - contour.length)] if high > contour.length else [])
-    for a, b in wrapped:
-        twice = max((min(b, d) - max(a, c) for c, d in contour.cuts), default=0.0)
-        if twice > 2 * NEAR or length > contour.length + 2 * NEAR:
-            raise Wrong(f"cut-twice: move {k} cuts {max(twice, length - contour.length):.3f} mm again at {show(contour.at(a))}")
-    contour.cuts += wrapped
-    return sum(b - a for a, b in contour.cuts) >= contour.length - 2 * NEAR * len(contour.cuts)
-
-
-def show(p):
-    return f"({p[0]:.3f}, {p[1]:.3f})"
+        raise Wrong(
+            f"not-an-endpoint: move {k} from {show(contour.at(s))} to {show(contour.at(end))} begins or ends within a line or arc; "
+            "on this track only their ends may be used"
+        )
+    twice, place = contour.cut_before(s, end)
+    if length > contour.length + 2 * NEAR:
+        twice, place = length - contour.length, s
+    if twice > 2 * NEAR:
+        raise Wrong(f"cut-twice: move {k} cuts {twice:.3f} mm again at {show(contour.at(place))}")
+    contour.add(s, end)
 
 
 def tour(instance, plan):
@@ -236,9 +153,9 @@ def tour(instance, plan):
     if not isinstance(nodes, list):
         raise Wrong("not-a-plan: there is no list of nodes, tour")
     home = {node: index for index, members in enumerate(sets) for node in members}
-    seen = [home.get(n - 1) if isinstance(n, int) else None for n in nodes]
+    seen = [home.get(n - 1) if type(n) is int else None for n in nodes]
     if None in seen:
-        raise Wrong(f"not-a-plan: {nodes[seen.index(None)]!r} is not a node of this instance; nodes count from 1")
+        raise Wrong(f"not-a-plan: {short(nodes[seen.index(None)])} is not a node of this instance; nodes count from 1")
     if len(set(seen)) < len(seen):
         raise Wrong(f"visited-twice: set {next(s for s in seen if seen.count(s) > 1)} is visited more than once")
     if len(seen) < len(sets):
@@ -261,33 +178,43 @@ def instance_of(name):
         raise Wrong(f"not-a-plan: there is no instance named {name}")
     data = load(HERE / entry["file"])
     if hashlib.sha256(data).hexdigest() != entry["sha256"]:
-        raise ValueError(f"{entry['file']} is not the frozen file: its checksum differs")
+        raise Unusable(f"{entry['file']} is not the frozen file: its checksum differs")
     return json.loads(data) if entry["track"] != "GTSP" else {"gtsplib": entry["file"]}, entry
+
+
+def folder(path):
+    """Checks every plan of a folder; whether all are sound."""
+    files = sorted(file for file in path.iterdir() if file.name.endswith((".json", ".json.gz")))
+    if not files:
+        raise Unusable(f"there is no plan in {path}: a plan for the instance NAME is named NAME.json or NAME.json.gz")
+    wrong = 0
+    for file in files:
+        name = file.name.removesuffix(".gz").removesuffix(".json")
+        try:
+            instance, entry = instance_of(name)
+            value = check(instance, plan_of(file))
+            best = entry.get("best", {}).get("value")
+            beside = "" if best is None else f"   best known {best:.3f}   {round(100 * (value / best - 1), 3) + 0.0:+.3f} %"
+            print(f"{name:24} {value:14.3f}{beside}", flush=True)
+        except Wrong as error:
+            wrong += 1
+            print(f"{name:24} WRONG  {error}", flush=True)
+    return wrong == 0
 
 
 def main(arguments):
     if len(arguments) == 3 and arguments[0] == "--instance":
-        print(f"{check(instance_of(arguments[1])[0], json.loads(load(arguments[2]))):.6f}")
-        return 0
-    if len(arguments) == 2:
-        print(f"{check(json.loads(load(arguments[0])), json.loads(load(arguments[1]))):.6f}")
-        return 0
-    if len(arguments) != 1 or not Path(arguments[0]).is_dir():
+        print(f"{check(instance_of(arguments[1])[0], plan_of(arguments[2])):.6f}")
+    elif len(arguments) == 2 and not arguments[0].startswith("-"):
+        print(f"{check(instance_in(arguments[0]), plan_of(arguments[1])):.6f}")
+    elif len(arguments) == 1 and Path(arguments[0]).is_dir():
+        return 0 if folder(Path(arguments[0])) else 1
+    elif len(arguments) == 1 and not arguments[0].startswith("-"):
+        raise Unusable(f"{arguments[0]} is not a folder: name a folder of plans, or an instance and a plan")
+    else:
         print(__doc__, file=sys.stderr)
         return 2
-    wrong = 0
-    for file in sorted(Path(arguments[0]).glob("*.json*")):
-        name = file.name.removesuffix(".gz").removesuffix(".json")
-        try:
-            instance, entry = instance_of(name)
-            value = check(instance, json.loads(load(file)))
-            best = entry.get("best", {}).get("value")
-            beside = "" if best is None else f"   best known {best:.3f}   {100 * (value / best - 1):+.3f} %"
-            print(f"{name:24} {value:14.3f}{beside}")
-        except (Wrong, json.JSONDecodeError, KeyError, TypeError) as error:
-            wrong += 1
-            print(f"{name:24} WRONG  {error if isinstance(error, Wrong) else f'not-a-plan: {error!r}'}")
-    return 1 if wrong else 0
+    return 0
 
 
 if __name__ == "__main__":
@@ -296,3 +223,6 @@ if __name__ == "__main__":
     except Wrong as error:
         print(f"WRONG  {error}")
         sys.exit(1)
+    except Unusable as error:
+        print(f"check.py: {error}.", file=sys.stderr)
+        sys.exit(2)

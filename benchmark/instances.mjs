@@ -3,7 +3,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gunzipSync } from 'node:zlib';
-import { ROOT } from '../scripts/tools.mjs';
+import { ROOT, Stop } from '../scripts/tools.mjs';
 
 export const HERE = join(ROOT, 'benchmark');
 const LIST = join(HERE, 'instances.json');
@@ -21,8 +21,9 @@ export function store({ instances: all, ...rest }) {
 
 /** The entries of instances.json with what is in their files. */
 export function* instances({ only = '', track } = {}) {
-  for (const entry of listed().instances) {
-    if (!entry.name.includes(only) || (track !== undefined && entry.track !== track)) continue;
+  const chosen = listed().instances.filter((entry) => entry.name.includes(only) && (track === undefined || entry.track === track));
+  if (chosen.length === 0) throw new Stop(`No instance${track === undefined ? '' : ` of the track ${track}`} has ${only === '' ? 'been found' : `"${only}" in its name`}: instances.json lists them.`);
+  for (const entry of chosen) {
     const file = join(HERE, entry.file);
     yield { entry, instance: entry.track === 'GTSP' ? { gtsplib: entry.file } : JSON.parse(gunzipSync(readFileSync(file)).toString()) };
   }

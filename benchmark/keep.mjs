@@ -24,7 +24,9 @@ export function keep(folder) {
     const bytes = readFileSync(file);
     const { bound, by = 'unknown', ...plan } = JSON.parse((file.endsWith('.gz') ? gunzipSync(bytes) : bytes).toString());
     const best = entry.best;
-    const known = Math.max(bound ?? 0, best?.bound ?? 0);
+    const possible = isPossible(bound, Math.min(value, best?.value ?? value));
+    if (bound !== undefined && !possible) console.log(`${entry.name}: the bound ${bound} cannot be right, and is left out`);
+    const known = Math.max(possible ? bound : 0, best?.bound ?? 0);
     if (best === undefined || value < best.value * (1 - SAME)) {
       const stored = `best/${entry.name}.json.gz`;
       writeFileSync(join(HERE, stored), gzipSync(JSON.stringify(plan), { level: 9 }));
@@ -36,5 +38,8 @@ export function keep(folder) {
   }
   store(list);
 }
+
+/** A bound is taken on trust, but one above a value that is known to be reached is wrong. */
+export const isPossible = (bound, reached) => typeof bound === 'number' && bound <= reached * (1 + SAME);
 
 const rounded = (value) => Number(value.toFixed(6));

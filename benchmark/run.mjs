@@ -70,19 +70,27 @@ const COMMANDS = {
   },
 };
 
+const OPTIONS = ['only', 'by', 'track', 'seconds', 'seed', 'count', 'prove'];
+
 main(async () => {
-  const { values, positionals } = parseArgs({
-    allowPositionals: true,
-    options: { only: { type: 'string' }, by: { type: 'string' }, track: { type: 'string' }, seconds: { type: 'string' }, seed: { type: 'string' }, count: { type: 'string' }, prove: { type: 'string' } },
-  });
-  const [name, folder] = positionals;
+  const { values, positionals } = options();
+  const [name, folder, another] = positionals;
   const command = Object.hasOwn(COMMANDS, name ?? '') ? COMMANDS[name] : undefined;
   if (command === undefined) throw new Stop(`Which command? npm run benchmark -- ${Object.keys(COMMANDS).join('|')}`);
+  if (another !== undefined) throw new Stop(`One folder at a time: ${another} is too many.`);
   await command({
     ...{ folder: folder && resolve(folder), only: values.only ?? '', by: values.by ?? '', track: values.track },
     ...{ seconds: positive('seconds', values.seconds, 10), seed: positive('seed', values.seed, 1), count: positive('count', values.count, 50), prove: positive('prove', values.prove) },
   });
 });
+
+function options() {
+  try {
+    return parseArgs({ allowPositionals: true, options: Object.fromEntries(OPTIONS.map((name) => [name, { type: 'string' }])) });
+  } catch (error) {
+    throw new Stop(`${error.message.split(/[.\n]/)[0]}. The options are --${OPTIONS.join(', --')}.`);
+  }
+}
 
 function needed(folder) {
   if (folder === undefined) throw new Stop('Which folder? Name it after the command.');

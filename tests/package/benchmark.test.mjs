@@ -9,6 +9,7 @@ import { describe, it } from 'node:test';
 import { gunzipSync } from 'node:zlib';
 import { generated } from '../../benchmark/generate.mjs';
 import { HERE, instances, listed } from '../../benchmark/instances.mjs';
+import { isPossible } from '../../benchmark/keep.mjs';
 import { plot } from '../../benchmark/plot.mjs';
 import { solved } from '../../benchmark/solve.mjs';
 
@@ -49,7 +50,28 @@ const WRONG = {
   'a coordinate that is no number': ['not-a-number', (p) => (p.moves[0].to[1] = 'NaN')],
   'a claim that is too good': ['claim', (p) => (p.value = 2000)],
   'a move of an unknown kind': ['not-a-plan', (p) => (p.moves[5].kind = 'jump')],
+  'an air move to nowhere': ['not-a-plan', (p) => delete p.moves[0].to],
+  'an arc without a center': ['not-a-plan', (p) => withArc(p, ({ center, ...piece }) => piece)],
+  'a piece that is a number': ['not-a-plan', (p) => (p.moves[cuts(p)[3]].path[0] = 3)],
+  'a coordinate that no number can hold': ['not-a-number', (p) => ({ text: JSON.stringify(p).replace(/"to":\[[^,]+/, `"to":[1${'0'.repeat(400)}`) })],
+  'text that is no JSON': ['not-a-plan', () => ({ text: '[' })],
+  'lists in lists without end': ['not-a-plan', () => ({ text: '['.repeat(200_000) })],
+  'an outer contour before what is inside, which a cut of no length is to finish again': ['not-a-plan', outerFirst],
 };
+
+function outerFirst(plan) {
+  const [air, pierce, cut] = plan.moves.splice(-4, 3);
+  plan.moves.unshift(air, pierce, cut);
+  plan.moves.splice(-1, 0, air, pierce, { kind: 'cut', path: [{ line: air.to }] });
+}
+
+/** Two slots that touch at a corner of the second, for which any of the tracks may be asked. */
+const TOUCHING = {
+  ...{ home: [0, 0], closed: false, cost: { unit: 'mm', pierce: 5 } },
+  contours: [[0, 0, 10, 0], [10, 0, 10, 10]].map(([x, y, u, v]) => ({ start: [x, y], closed: false, inside: null, path: [{ line: [u, v] }] })),
+};
+const along = (...points) => ({ kind: 'cut', path: points.map((line) => ({ line })) });
+const pierce = { kind: 'pierce' };
 
 function longest(plan) {
   return cuts(plan).find((k) => plan.moves[k].path.length > 2);
@@ -74,12 +96,58 @@ describe('the reference checker', NEEDS_PYTHON, () => {
   for (const [what, [name, change]] of Object.entries(WRONG)) {
     it(`rejects ${what} by name`, (t) => {
       const { plan } = best(SHEET);
-      change(plan);
-      const { text, status } = checked(t, SHEET, plan);
+      const { text: written } = Object(change(plan));
+      const { text, status } = checked(t, SHEET, written ?? plan);
       assert.equal(status, 1);
       assert.match(text, new RegExp(`^WRONG  ${name}: `));
     });
   }
+
+  it('rejects a second contour that is begun where a cut of the first ends, without a piercing', (t) => {
+    const instance = { ...TOUCHING, track: 'CCP' };
+    assert.equal(Number(checked(t, instance, { moves: [pierce, along([10, 0]), pierce, along([10, 10])] }).text), 10);
+    assert.match(checked(t, instance, { moves: [pierce, along([10, 0]), along([10, 10])] }).text, /^WRONG {2}no-pierce: move 2 /);
+  });
+
+  it('rejects a contour that ten thousand cuts of no length are to have cut', (t) => {
+    const at = { kind: 'air', to: [10, 0] };
+    const moves = [pierce, ...Array(10_000).fill(along([0, 0])), at, pierce, along([10, 10])];
+    assert.match(checked(t, { ...TOUCHING, track: 'ICP' }, { moves }).text, /^WRONG {2}not-a-plan: move 1 .* a cut is longer than 0.002 mm/);
+  });
+
+  it('rejects a contour of which a piece between two cuts is left', (t) => {
+    const rest = [pierce, along([10, 10])];
+    const moves = (from) => [pierce, along([5, 0]), { kind: 'air', to: [from, 0] }, pierce, along([10, 0]), ...rest];
+    const instance = { ...TOUCHING, track: 'ICP' };
+    assert.equal(Number(checked(t, instance, { moves: moves(5) }).text), 15);
+    assert.match(checked(t, instance, { moves: moves(5.004) }).text, /^WRONG {2}not-cut: contour 0/);
+    assert.match(checked(t, instance, { moves: moves(4.996) }).text, /^WRONG {2}cut-twice: /);
+  });
+
+  it('tells contours that lie on each other apart by what is cut already', (t) => {
+    const instance = { ...TOUCHING, track: 'CCP', contours: [TOUCHING.contours[0], TOUCHING.contours[0]] };
+    assert.equal(checked(t, instance, { moves: [pierce, along([10, 0]), pierce, along([0, 0])] }).text, '10.000000');
+    assert.match(checked(t, instance, { moves: [...Array(3)].flatMap((_, k) => [pierce, along([k % 2 ? 0 : 10, 0])]) }).text, /^WRONG {2}cut-twice: /);
+  });
+
+  it('says in a sentence, with exit code 2, that there is nothing to check', (t) => {
+    const folder = mkdtempSync(join(tmpdir(), 'kerfway-'));
+    t.after(() => rmSync(folder, { recursive: true }));
+    const plan = join(folder, 'plan.txt');
+    writeFileSync(plan, '{}');
+    for (const given of [[folder], [join(folder, 'none')], [plan], [plan, plan], ['--instance', SHEET, join(folder, 'none')]]) {
+      const { status, stdout, stderr } = spawnSync('python3', [join(HERE, 'check.py'), ...given], { encoding: 'utf8' });
+      assert.deepEqual([status, stdout], [2, ''], given.join(' '));
+      assert.match(stderr, /^check\.py: [^\n]+\.\n$/);
+    }
+    writeFileSync(join(folder, `${SHEET}.json.gz`), 'no gzip');
+    writeFileSync(join(folder, '31pr152.json'), '{"tour": [true]}');
+    const { status, stdout } = spawnSync('python3', [join(HERE, 'check.py'), folder], { encoding: 'utf8' });
+    assert.equal(status, 1);
+    const said = stdout.trim().split('\n');
+    assert.match(said[0], /^31pr152 +WRONG {2}not-a-plan: True is not a node /);
+    assert.match(said[1], /^sheet-100-ccp +WRONG {2}not-a-plan: .* is not a gzip file: /);
+  });
 
   it('rejects a tour that visits a set twice, or not at all', (t) => {
     const { plan } = best('31pr152');
@@ -146,4 +214,13 @@ it('instances made by seed are the same everywhere', () => {
   const { contours } = generated({ seed: 7, count: 30 });
   assert.equal(contours.length, 30);
   assert.deepEqual(contours[0].start, generated({ seed: 7, count: 30 }).contours[0].start);
+});
+
+it('names of instances that there are not are refused, where nothing was done and nothing said', () => {
+  assert.throws(() => [...instances({ only: 'no-such' })], /No instance has "no-such" in its name/);
+  assert.throws(() => [...instances({ track: 'XX' })], /No instance of the track XX/);
+});
+
+it('a plan could bring a lower bound above the best value into the list', () => {
+  assert.deepEqual([99, 100, 101, '99', null, undefined, NaN].map((bound) => isPossible(bound, 100)), [true, true, false, false, false, false, false]);
 });

@@ -110,6 +110,13 @@ describe('several drawings', () => {
     }
   });
 
+  it('what is said of a drawing named only its file, which several folders may have', async (t) => {
+    const at = drawings(t, ['x/a.dxf', 'y/a.dxf']);
+    const { stderr } = await kerfway('plan', join(at, '*/a.dxf'), ...QUICK, '--layer', 'none=mark');
+    const warned = stderr.split('\n').filter((line) => line.includes('has no layer "none"')).map((line) => line.split(': ')[1]);
+    assert.deepEqual(warned, [join(at, 'x/a.dxf'), join(at, 'y/a.dxf')]);
+  });
+
   it('the JSON of several drawings goes to standard output, one document per line', async (t) => {
     const at = drawings(t, ['a.dxf', 'b.dxf']);
     const schemas = { plan: 'kerfway.plan/1', quote: 'kerfway.quote/2', inspect: 'kerfway.inspect/1' };

@@ -63,6 +63,19 @@ describe('an output that is another file of the same run is wrong usage, and not
     it(args.filter((a) => !QUICK.includes(a)).join(' '), (t) => refused(place(t), args, /is the same file as \S+, which is read\. Name another/));
   }
 
+  it('of an output named twice, and of two choices for one layer or contour, the first one was left out without a word', (t) => {
+    const at = place(t);
+    const wrong = {
+      '--gcode a.nc --gcode b.nc': /^kerfway: --gcode a\.nc and --gcode b\.nc: give one of them\.$/m,
+      '--layer 0=cut,speed=5 --layer 0=cut,power=0.5': /^kerfway: --layer 0=cut,speed=5 and --layer 0=cut,power=0\.5: write all that is chosen for 0 in one of them\.$/m,
+      '--lead-of 0=arc --lead-of 0=line': /write all that is chosen for 0 in one of them/,
+      '--method pso --set rounds=1 --set rounds=2': /write all that is chosen for rounds in one of them/,
+    };
+    for (const [options, sentence] of Object.entries(wrong)) refused(at, ['plan', 'a.dxf', ...QUICK, ...options.split(' ')], sentence);
+    const twice = ['--quiet', '--quiet', '--machine', 'length', '--machine', 'k40', '--svg', '/dev/null', '--svg', '/dev/null', '--layer', '0=cut', '--layer', '0=cut', '--joints-of', '0=1', '--lead-of', '0=arc'];
+    assert.equal(run(at, ['plan', 'a.dxf', ...QUICK, ...twice]).status, 0);
+  });
+
   it('a machine file counts as an input', (t) => {
     const at = place(t);
     const { machine } = JSON.parse(run(at, ['plan', 'a.dxf', ...QUICK, '--json', '-']).stdout);

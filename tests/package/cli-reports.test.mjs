@@ -47,6 +47,20 @@ describe('reports of the command line', () => {
     assert.equal(JSON.parse(piped.stdout).name, 'co2-100w');
   });
 
+  it('calibrate fitted the default machine to a plan that was made for another one', async (t) => {
+    const { at, path } = drawing(t);
+    const [plan, other] = [join(at, 'plan.json'), join(at, 'other.json')];
+    await kerfway('plan', path, '--moves', '1', '--seed', '1', '--machine', 'fibre-3kw-thin', '--json', plan);
+    await kerfway('plan', path, '--moves', '1', '--seed', '1', '--machine', 'k40', '--json', other);
+    const { stdout, stderr } = await kerfway('calibrate', `${plan}=8`, '--json', '-');
+    assert.equal(JSON.parse(stdout).name, 'fibre-3kw-thin');
+    assert.match(stderr, /^pierce_time +0\.1 to /m);
+    const two = await kerfway('calibrate', `${plan}=8`, `${other}=9`);
+    assert.deepEqual([two.code, two.stderr.split('\n')[0]], [2, `kerfway: ${plan} was planned for fibre-3kw-thin and ${other} for k40: say with --machine which one is to be fitted.`]);
+    const named = await kerfway('calibrate', `${plan}=8`, '--machine', 'k40');
+    assert.deepEqual([named.code, named.stderr], [0, `kerfway: ${plan} was planned for fibre-3kw-thin. k40 is fitted to its time.\n`]);
+  });
+
   it('calibrate named all its plans when one of them could not be used', async (t) => {
     const { at, path } = drawing(t);
     const [plan, other] = [join(at, 'plan.json'), join(at, 'other.json')];

@@ -7,7 +7,7 @@ import { describe, it } from 'node:test';
 import { ROOT } from './support.mjs';
 
 const within = (folder) => readdirSync(join(ROOT, folder), { recursive: true }).map((f) => join(folder, f));
-const PAGES = ['README.md', 'CONTRIBUTING.md', ...within('docs').filter((f) => f.endsWith('.md') && !f.startsWith(join('docs', 'api')))];
+const PAGES = ['README.md', 'CONTRIBUTING.md', 'benchmark/README.md', 'examples/README.md', 'benches/data/README.md', ...within('docs').filter((f) => f.endsWith('.md') && !f.startsWith(join('docs', 'api')))];
 const read = (page) => readFileSync(join(ROOT, page), 'utf8');
 /** The words of a page in `code` quotes, and its indented and fenced commands. */
 const quoted = (page) => [...read(page).matchAll(/`([^`\n]+)`/g)].map(([, words]) => words);
@@ -52,6 +52,38 @@ describe('the pages for people name what exists', () => {
       .filter((target) => !existsSync(join(ROOT, dirname(page), target)))
       .map((target) => `${page}: ${target}`));
     assert.deepEqual(wrong, []);
+  });
+
+  it('headings of pages, by links with a #', () => {
+    // As GitHub makes them of headings.
+    const anchorsOf = (page) => commands(page, /^#+ (.*)$/gm).map((heading) => heading.toLowerCase().replace(/[^\p{L}\p{N}_\- ]/gu, '').replaceAll(' ', '-'));
+    const wrong = PAGES.flatMap((page) => [...read(page).matchAll(/\]\(([^)#:]*)#([^)]+)\)/g)]
+      .map(([, target, anchor]) => [target === '' ? page : join(dirname(page), target), anchor])
+      .filter(([target, anchor]) => target.endsWith('.md') && !anchorsOf(target).includes(anchor))
+      .map(([target, anchor]) => `${page}: ${target}#${anchor}`));
+    assert.deepEqual(wrong, []);
+  });
+
+  it('every script of the project and every bench, in CONTRIBUTING', () => {
+    const text = read('CONTRIBUTING.md');
+    const { scripts } = JSON.parse(read('package.json'));
+    for (const name of Object.keys(scripts).filter((name) => name !== 'setup')) assert.match(text, new RegExp(`npm (run )?${name}\\b`), name);
+    const benches = readdirSync(join(ROOT, 'benches')).filter((file) => file.endsWith('.mjs') && file !== 'run.mjs').map((file) => file.slice(0, -4));
+    const row = text.split('\n').find((line) => line.startsWith('| `npm run bench -- NAME`'));
+    assert.deepEqual(benches.filter((name) => !row.includes(`\`${name}\``)), []);
+  });
+
+  it('commands of the benchmark', () => {
+    const code = read(join('benchmark', 'run.mjs'));
+    for (const page of PAGES) for (const name of commands(page, /npm run benchmark -- ([a-z]+)/g)) assert.ok(code.includes(`  async ${name}(`), `${page}: ${name}`);
+  });
+
+  it('no program of a stranger: npx would look for a package that is not installed on npm', () => {
+    for (const page of PAGES) assert.doesNotMatch(read(page), /npx kerfway/, page);
+  });
+
+  it('no folder that a reader does not have, beside the repository', () => {
+    for (const page of PAGES) for (const [, target] of read(page).matchAll(/(?:^| |=)((?:\.\.\/)+[\w/.-]+)/gm)) assert.ok(existsSync(join(ROOT, dirname(page), target)), `${page}: ${target}`);
   });
 
   it('commands: npm scripts, benches and native tests', () => {

@@ -101,4 +101,20 @@ describe('the width of the kerf', () => {
     assert.equal(refused.code, 1);
     assert.match(refused.stderr, /"kerf_width" is 0\.01\. Give a number from 0\.02 to 10 mm, or 0/);
   });
+
+  it('had no option on the command line', async (t) => {
+    const at = folder(t);
+    writeFileSync(join(at, 'kerf.dxf'), drawing());
+    const materials = [{ name: 'birch', kerf_width: 1 }];
+    writeFileSync(join(at, 'shop.json'), JSON.stringify({ ...plain, materials }));
+    const run = (...options) => kerfway('plan', join(at, 'kerf.dxf'), '--units', 'mm', '--moves', '2000', '--seed', '1', '--json', '-', ...options);
+    const length = async (...options) => JSON.parse((await run(...options)).stdout).summary.cut_length;
+    near(await length('--kerf-width', `${KERF}`), 7 * 40.4 + (8 - KERF) * Math.PI);
+    // It counts for the materials of the machine, too; 0 is as drawn.
+    near(await length('--machine', join(at, 'shop.json'), '--material', 'birch', '--kerf-width', `${KERF}`), 7 * 40.4 + (8 - KERF) * Math.PI);
+    near(await length('--machine', join(at, 'shop.json'), '--material', 'birch', '--kerf-width', '0'), 320 + 8 * Math.PI);
+    const refused = await run('--kerf-width', '0.01');
+    assert.equal(refused.code, 2);
+    assert.match(refused.stderr, /^kerfway: --kerf-width 0\.01: give a number from 0\.02 to 10 mm, or 0/);
+  });
 });

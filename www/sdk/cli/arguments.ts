@@ -9,6 +9,7 @@ import { LEAD_KINDS } from '../leads.js';
 import type { ContourChoice, LayerChoice, LoadOptions, MachineProfile, Operation, Place, PlanOptions } from '../protocol.js';
 import { checkedAsWritten } from './as-written.js';
 import { optionsOf } from './commands.js';
+import { chosenOnce, namedOnce } from './given-once.js';
 import { WrongUse } from './io.js';
 import { COMMON_CUTS, GROUPS, OPERATIONS, PASS_ORDERS, STARTS, TURNS, UNITS } from './option-groups.js';
 
@@ -43,7 +44,8 @@ function words(command: string, args: string[]): Words {
     ]),
   );
   try {
-    const { values, positionals } = parseArgs({ args, options, allowPositionals: true, strict: true });
+    const { values, positionals, tokens } = parseArgs({ args, options, allowPositionals: true, strict: true, tokens: true });
+    namedOnce(tokens, new Set(Object.entries(optionsOf(command)).flatMap(([name, { value }]) => (value === 'OUT' ? [name] : []))));
     // A variable of a shell that is not set.
     if (positionals.includes('')) throw new WrongUse('The name of a file is empty.');
     const [empty] = Object.entries(values).find(([, value]) => [value].flat().includes('')) ?? [];
@@ -59,6 +61,8 @@ function words(command: string, args: string[]): Words {
     throw new WrongUse(`${name} needs a value.${next !== undefined && /^-[\d.]/.test(next) ? ` A negative one is written ${name}=${next}.` : ''}`);
   }
 }
+
+const beforeEquals = (word: string) => word.slice(0, word.indexOf('='));
 
 function meant(name: string, known: readonly string[]): string {
   const near = nearest(name, known.map((option) => `--${option}`));
@@ -86,7 +90,9 @@ export function loadOptions(values: Values): LoadOptions {
   }
   const layers = (values['layer'] as string[] | undefined) ?? [];
   if (layers.length > 0) options.layers = layers.map(layerChoice);
+  chosenOnce('layer', layers, (word) => layerChoice(word).name);
   const groups = (values['group'] as string[] | undefined) ?? [];
+  chosenOnce('group', groups, beforeEquals);
   if (groups.length > 0) {
     options.groups = groups.map((word) => {
       const { name, operation } = choice('--group', word);
@@ -132,6 +138,7 @@ function contourChoices(values: Values): ContourChoice[] {
     const contour = wholeNumber(option, id);
     choices.set(contour, { ...choices.get(contour), contour, ...choice(value) });
   };
+  for (const option of ['joints-of', 'corners-of', 'lead-of']) chosenOnce(option, (values[option] as string[] | undefined) ?? [], beforeEquals);
   for (const word of (values['joints-of'] as string[] | undefined) ?? []) take('joints-of', word, (value) => ({ joints: wholeNumber('joints-of', value) }));
   for (const word of (values['corners-of'] as string[] | undefined) ?? []) take('corners-of', word, (value) => ({ corners: oneOf('--corners-of', value, CORNER_KINDS) }));
   for (const word of (values['lead-of'] as string[] | undefined) ?? []) take('lead-of', word, (value) => ({ lead: oneOf('--lead-of', value, [...LEAD_KINDS, 'center'] as const) }));
@@ -211,6 +218,7 @@ function numberOf(word: string, key: string, value: string): number {
 /** The NAME=VALUE pairs of all --set: numbers, true and false are converted, any other value is text. */
 export function parameters(values: Values): Record<string, unknown> | undefined {
   const given = (values['set'] as string[] | undefined) ?? [];
+  chosenOnce('set', given, beforeEquals);
   const pairs = given.map((word) => {
     const at = word.indexOf('=');
     if (at < 1) throw new WrongUse(`--set ${word}: write NAME=VALUE; kerfway methods lists the names.`);

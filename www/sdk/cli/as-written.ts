@@ -18,7 +18,7 @@ const OPTIONS: Readonly<Record<string, string>> = {
   'leads.rules.lead_in.length': 'lead-length', 'leads.rules.lead_in.radius': 'lead-radius', 'leads.rules.lead_in.angle': 'lead-angle',
   'joints.rules.count': 'joints', 'joints.rules.width': 'joint-width', 'joints.rules.spacing': 'joint-spacing', 'joints.rules.corner_clearance': 'joint-corners',
   'joints.rules.size_min': 'joint-size-min', 'joints.rules.size_max': 'joint-size-max',
-  'levers.moving_pierce.overcut': 'moving-pierce', 'levers.lift.height': 'lift', 'levers.lift.stay_down': 'stay-down', z_speed: 'z-speed',
+  'levers.moving_pierce.overcut': 'moving-pierce', 'levers.lift.height': 'lift', 'levers.lift.stay_down': 'stay-down', z_speed: 'z-speed', kerf_width: 'kerf-width',
   'levers.fly.reach': 'fly', 'levers.fly.overcut': 'fly-overcut', 'levers.chains.reach': 'chains', 'levers.chains.clearance': 'chain-clearance',
   'levers.bridges.reach': 'bridges', 'levers.bridges.width': 'bridge-width', 'levers.bridges.clearance': 'bridge-clearance', 'levers.bridges.most': 'bridge-most',
   'levers.corners.loop_radius': 'loop-radius', 'levers.corners.clearance': 'loop-clearance', 'levers.corners.round_radius': 'round-radius', 'levers.corners.deviation': 'corner-deviation',

@@ -1,12 +1,14 @@
 /** `kerfway calibrate`: fits a machine to the seconds that jobs took. */
 
 import { createPlanner } from '../node.js';
-import type { Calibration, MeasuredPlan } from '../protocol.js';
+import { checkMachine } from '../options.js';
+import type { Calibration, MachineProfile, MeasuredPlan } from '../protocol.js';
 import { parsed } from './arguments.js';
 import { Destinations, outputsOf } from './destinations.js';
 import { bytesOf, usable, WrongUse } from './io.js';
 import { machineFiles, machineOf } from './machine.js';
 import { say } from './report.js';
+import { complain } from './safe-text.js';
 import { duration, percent } from '../words.js';
 
 export async function calibrate(args: string[]): Promise<void> {
@@ -19,9 +21,15 @@ export async function calibrate(args: string[]): Promise<void> {
   try {
     const destinations = new Destinations(outputs, [...files, ...machineFiles(given, planner)]);
     destinations.begin([first]);
-    const machine = await machineOf(given, planner);
     const measured: MeasuredPlan[] = [];
     for (const { file, seconds } of jobs) measured.push({ plan: new TextDecoder().decode(await bytesOf(file)), seconds });
+    const own = measured.map(({ plan }) => plannedFor(plan));
+    const machine = await machineOf(given, planner, own[0]);
+    for (const [k, { name } = machine] of own.entries()) {
+      if (name === machine.name) continue;
+      if (given.values['machine'] === undefined) throw new WrongUse(`${first} was planned for ${machine.name} and ${files[k]} for ${name}: say with --machine which one is to be fitted.`);
+      complain(`${files[k]} was planned for ${name}. ${machine.name} is fitted to its time.`);
+    }
     const calibration = await planner.calibrate(machine, measured).catch(async (error: unknown) => {
       // Of several plans, the first that cannot be used alone is named.
       for (const [k, file] of files.entries()) await usable(file, planner.calibrate(machine, measured.slice(k, k + 1)));
@@ -31,6 +39,17 @@ export async function calibrate(args: string[]): Promise<void> {
     if (given.values['quiet'] !== true) await say(lines(calibration, machine), destinations.piped);
   } finally {
     planner.close();
+  }
+}
+
+/** The machine in a plan document; undefined in what is none, of which the fit says more. */
+function plannedFor(plan: string): MachineProfile | undefined {
+  try {
+    const { machine } = JSON.parse(plan) as { machine: MachineProfile };
+    checkMachine(machine);
+    return machine;
+  } catch {
+    return undefined;
   }
 }
 

@@ -128,7 +128,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
     words: 'PLAN.json=SECONDS...',
     text: 'Reads plans that were written with --json and run, with the seconds that each took by the clock, and fits the acceleration along contours, the corner deviation and the pierce time of the machine. One or two jobs are enough; best is one with many piercings and one with many corners.',
     options: {
-      'The machine': { machine: PLANNING['machine'] as Option },
+      'The machine': { machine: { ...(PLANNING['machine'] as Option), about: 'the name of a preset, or a JSON file with a machine profile (default: that of the plans)' } },
       Output: { json: { value: 'OUT', about: 'the machine with the fitted values, for --machine' } },
       Messages: MESSAGES,
     },

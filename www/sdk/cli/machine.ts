@@ -15,12 +15,20 @@ import { RISKY_MOVES } from './option-groups.js';
 const OPTION_OF_TIPS = ['nozzle-radius', 'tip-margin', 'slats', 'tips-below', 'drops-below', 'cross-over'];
 const DEFAULT_MACHINE = 'co2-100w';
 
-/** The machine of the options `--machine`, `--dialect` and those of leads, joints, levers and skeleton cuts. `own`: the one to take where `--machine` names none. */
+/** The machine of the options `--machine`, `--dialect` and those of the kerf, leads, joints, levers and skeleton cuts. `own`: the one to take where `--machine` names none. */
 export async function machineOf({ values }: Words, planner: Planner, own?: MachineProfile): Promise<MachineProfile> {
   const word = text(values, 'machine');
-  const machine = withSkeleton(values, withLevers(values, withJoints(values, withLeads(values, word === undefined && own !== undefined ? own : await named(word ?? DEFAULT_MACHINE, planner)))));
+  const machine = withSkeleton(values, withLevers(values, withJoints(values, withLeads(values, withKerf(values, word === undefined && own !== undefined ? own : await named(word ?? DEFAULT_MACHINE, planner))))));
   const dialect = text(values, 'dialect');
   return dialect === undefined ? machine : { ...machine, dialect: await dialectOf(dialect, machine, planner) };
+}
+
+/** The machine with the kerf width that is asked for, whatever its materials have. */
+function withKerf(values: Words['values'], machine: MachineProfile): MachineProfile {
+  const kerf_width = number(values, 'kerf-width');
+  if (kerf_width === undefined) return machine;
+  const materials = machine.materials?.map(({ kerf_width: _, ...material }) => material);
+  return valid(values, { ...machine, kerf_width, ...(materials && { materials }) });
 }
 
 /** The machine with the leads that the options ask for. */

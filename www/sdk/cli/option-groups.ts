@@ -64,6 +64,7 @@ export const READING: Options = {
 export const PLANNING: Options = {
   machine: { value: 'NAME|FILE', about: "the name of a preset, or a JSON file with a machine profile (default co2-100w)", choices: 'machines' },
   dialect: { value: 'NAME|FILE', about: "the dialect of G-code: the name of a shipped one, or a JSON file (default: the machine's)", choices: 'dialects' },
+  'kerf-width': { value: 'MM', about: "width of the cut, instead of that of the machine and its materials: parts get the drawn size (0: the beam follows the drawn lines)" },
   method: { value: 'NAME', about: 'the planning method: see kerfway methods', choices: 'methods' },
   set: { value: 'NAME=VALUE', about: 'a parameter of a method from a paper', repeat: true },
   seconds: { value: 'S', about: 'how long to search each drawing (default 10)' },

@@ -52,7 +52,7 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
       const loaded = await usable(file, planner.load(project.drawing, project.name, { ...project.reading, ...load }));
       // What decides on what is cut is reported here and not only by `inspect`: misspelt layers, borders, lettering.
       for (const { message } of loaded.findings.filter((f) => f.code === 'layer-unknown' || f.code === 'sheet-outline' || (f.code === 'lettering' && f.severity !== 'info'))) {
-        complain(`${nameOf(file)}: ${message}`);
+        complain(`${asGiven(file)}: ${message}`);
       }
       refuseDoubt(file, loaded, words, requested.outputs);
       const { seconds: _, moves: __, ...decided } = project.planning;
@@ -70,14 +70,17 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
   }
 }
 
+/** A drawing as it is named on the command line, because those of several folders may have one name. */
+const asGiven = (file: string) => (file === '-' ? nameOf(file) : file);
+
 /** Writes no program while the unit is in doubt, unless somebody accepts the guess. */
 function refuseDoubt(file: string, loaded: Loaded, { values }: Words, outputs: Requested['outputs']): void {
   const doubt = doubtAbout(loaded);
   if (doubt === null) return;
   if (hasProgram(outputs.map(({ kind }) => kind)) && values['accept-guess'] !== true) {
-    throw new Unusable(`${nameOf(file)}: ${doubt} Nothing is written while the unit is in doubt: state it by --units or --dpi, or accept this guess by --accept-guess.`);
+    throw new Unusable(`${asGiven(file)}: ${doubt} Nothing is written while the unit is in doubt: state it by --units or --dpi, or accept this guess by --accept-guess.`);
   }
-  complain(`${nameOf(file)}: ${loaded.units.reason}`);
+  complain(`${asGiven(file)}: ${loaded.units.reason}`);
 }
 
 /** How a search goes on from the plan of a project. Without a budget it keeps that plan as it is. */
