@@ -7,6 +7,9 @@ use super::vertices::with_vertices;
 use crate::geometry::{DVec2, Path, Union};
 use crate::order::{real, sort_by};
 
+/// Breaks within so many tolerances of each other are one node.
+pub(super) const SAME_NODE: f64 = 2.0;
+
 /// A place on a contour where its group has a node.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Break {
@@ -76,11 +79,10 @@ fn touching(contours: &[Contour], stretches: &Stretches, own: u32, at: DVec2, to
         .collect()
 }
 
-/// A set with its nodes. Breaks within the tolerance of each other are one node, and those of one contour are one
-/// break.
+/// A set with its nodes. Breaks near each other are one node, and those of one contour are one break.
 fn joined(contours: &[Contour], set: &[(u32, Break)], tolerance: f64) -> Set {
     let points: Vec<DVec2> = set.iter().map(|s| s.1.at).collect();
-    let node = cluster(&points, 2.0 * tolerance);
+    let node = cluster(&points, SAME_NODE * tolerance);
     let mut out = Set { contours: Vec::new(), breaks: Vec::new(), node: Vec::new() };
     for (&(_, b), &n) in set.iter().zip(&node) {
         if out.contours.last() != Some(&b.contour) {

@@ -30,8 +30,10 @@ pub(super) fn find(
     same: impl Fn(&Contour, &Contour) -> bool,
 ) -> Vec<PierceGroup> {
     let mut groups = Vec::new();
-    let mut sound: Vec<bool> =
-        contours.iter().map(|c| c.operation == Operation::Cut && !c.self_crossing).collect();
+    // Both ends of a shorter contour would be one node, and nothing between them.
+    let has_two_ends = |c: &Contour| c.path.closed || c.path.length() > contacts::SAME_NODE * tolerance;
+    let is_sound = |c: &Contour| c.operation == Operation::Cut && !c.self_crossing && has_two_ends(c);
+    let mut sound: Vec<bool> = contours.iter().map(is_sound).collect();
     for &(a, b) in crossing {
         sound[a as usize] = false;
         sound[b as usize] = false;
