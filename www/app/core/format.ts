@@ -26,8 +26,11 @@ export function three(x: number): string {
   const size = Math.abs(x);
   if (size < 5e-4) return '0';
   if (size >= 999.5) return count(Number(x.toPrecision(3)));
-  return decimal(x, Math.min(3, Math.max(0, 2 - Math.floor(Math.log10(size)))));
+  return decimal(x, decimals(size));
 }
+
+/** How many decimals three significant digits have. */
+const decimals = (size: number) => Math.min(3, Math.max(0, 2 - Math.floor(Math.log10(size))));
 
 /** A number with this many decimals. */
 export function fixed(x: number, decimals: number): string {
@@ -52,12 +55,10 @@ export function seconds(s: number, beside = s): string {
 
 const pair = (n: number) => String(n).padStart(2, '0');
 
-/** A time within the job: "1:23.4", "1:02:03". */
-export function clock(s: number): string {
+/** A moment of a job of `total` seconds, in the form of that time, with a tenth of a second at least: "2.3 s" of "48.8 s", "0:01:23" of "0:19:41". */
+export function clock(s: number, total: number): string {
   const t = Math.max(0, s);
-  if (t >= 3600) return `${Math.floor(t / 3600)}:${pair(Math.floor(t / 60) % 60)}:${pair(Math.floor(t) % 60)}`;
-  const tenths = Math.floor(t * 10 + 1e-6);
-  return `${Math.floor(tenths / 600)}:${pair(Math.floor(tenths / 10) % 60)}${POINT}${tenths % 10}`;
+  return total < LONG ? `${fixed(t, total > 0 ? Math.max(1, decimals(total)) : 1)} s` : seconds(t, total);
 }
 
 /** What stands between whole numbers and decimals. */

@@ -43,7 +43,7 @@ export function chart(session: Session, theme: Theme): HTMLElement {
     scales: { x: { time: false, distr: 3, range: (_u, _low, high) => [FIRST, Math.max(1, high)] }, y: { range: (_u, low, high) => pad(low, high) } },
     axes: [
       { ...axis, size: 22, space: 40, filter: decades, grid: { ...axis.grid, filter: decades }, values: (_u, splits) => splits.map((s) => (s === null ? '' : `${upTo(s, 3)} s`)) },
-      { ...axis, size: 52, space: 32, incrs: STEPS, values: (_u, splits) => splits.map((s) => (s < LONG ? `${upTo(s, 2)} s` : seconds(s))) },
+      { ...axis, size: (_u, marks) => Math.max(52, 6.5 * Math.max(...(marks ?? []).map((mark) => mark.length), 0) + 6), space: 24, incrs: STEPS, values: (_u, splits) => splits.map((s) => (s < LONG ? `${upTo(s, 2)} s` : seconds(s))) },
     ],
     series: [
       {},

@@ -144,7 +144,7 @@ export class ContourCard {
     const [name = '', ...facts] = describe(this.session, this.playback, contour);
     const stop = this.playback.stopOf(contour);
     const { path } = this.playback;
-    const begin = stop === null ? [] : [words.contour.begins(clock(this.playback.begin(stop)))];
+    const begin = stop === null ? [] : [words.contour.begins(clock(this.playback.begin(stop), this.playback.total))];
     const why = stop === null || path === null ? '' : whyHere(this.session.state, path, contour, stop, (c) => this.playback.stopOf(c));
     return [name, [...facts, ...begin].join(' · '), why];
   }

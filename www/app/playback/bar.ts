@@ -13,7 +13,7 @@ const SPEEDS: readonly [label: string, speed: number | null][] = [[words.playbac
 export function playbackBar(playback: Playback): Node[] {
   const play = button(words.playback.play, { icon: 'play', iconOnly: true, class: 'quiet', onclick: () => playback.toggle() });
   const slider = h('input', { type: 'range', min: 0, max: STEPS, value: STEPS, 'aria-label': words.playback.moment });
-  const now = h('output', { class: 'number now' }, '0:00.0');
+  const now = h('output', { class: 'number now' });
   const whole = h('span', { class: 'number soft whole' });
   const speed = h('select', { 'aria-label': words.playback.speed }, ...SPEEDS.map(([label]) => h('option', {}, label)));
   slider.addEventListener('input', () => {
@@ -32,9 +32,9 @@ export function playbackBar(playback: Playback): Node[] {
     const at = ready ? Math.round((time / total) * STEPS) : STEPS;
     if (slider.valueAsNumber !== at) slider.value = String(at);
     slider.style.setProperty('--share', String(at / STEPS));
-    slider.setAttribute('aria-valuetext', words.playback.at(clock(time), clock(total), playback.stop + 1, playback.stops));
-    setText(now, clock(time));
-    setText(whole, `/ ${clock(total)}`);
+    slider.setAttribute('aria-valuetext', words.playback.at(clock(time, total), clock(total, total), playback.stop + 1, playback.stops));
+    setText(now, clock(time, total));
+    setText(whole, `/ ${clock(total, total)}`);
   };
   const showState = () => {
     const label = playback.playing ? words.playback.pauseKey : words.playback.playKey;
