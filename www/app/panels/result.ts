@@ -79,10 +79,12 @@ export function resultPanel(session: Session, theme: Theme, { download, saveProj
       // Compared with what a shop would cut otherwise. Nobody would cut in the order of the drawing, which saves more on paper.
       const gain = usual.total_time - now.total_time;
       const more = before.total_time - now.total_time;
-      setText(saved, gain >= 0 ? words.result.saved(seconds(gain)) : words.result.longer(seconds(-gain)));
+      const none = seconds(Math.abs(gain)) === seconds(0);
+      setText(saved, none ? words.result.nothing(state.phase !== 'done') : gain > 0 ? words.result.saved(seconds(gain)) : words.result.longer(seconds(-gain)));
       // A long difference looks like the times that it is the difference of.
       const apart = seconds(Math.abs(more), Math.abs(more) < MINUTE ? 0 : before.total_time);
-      setText(of, unbroken(words.result.of(percent(Math.abs(gain) / usual.total_time), more >= 0 ? words.result.less(apart) : words.result.more(apart))));
+      const order = apart === seconds(0) ? words.result.same : more > 0 ? words.result.less(apart) : words.result.more(apart);
+      setText(of, unbroken(none ? words.result.asLong(order) : words.result.of(percent(Math.abs(gain) / usual.total_time), order)));
     }
     const longest = Math.max(before?.total_time ?? 0, state.baselines?.greedy.total_time ?? 0, now.total_time);
     rows[0]!.show(before, longest);
