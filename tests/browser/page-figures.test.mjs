@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { dxf, square } from '../package/support.mjs';
 import { grid, sample } from './page-drawings.mjs';
 import { shot, still } from './page-pictures.mjs';
 import { drop, machineSection, nextFrames, openPage, openPlanned, phase, planned, replanned, SIZES } from './page-support.mjs';
@@ -110,6 +111,18 @@ test('the same time was written as 0:19:47 and 19:46.5, and as 48.8 s and 0:48.7
   }
 });
 
+test('the form of a time changed between the table and the playback when only the order of the drawing took longer than 1,000 s', async (t) => {
+  // As drawn the head goes from one end of the bed to the other and back, 800 times.
+  const rows = Array.from({ length: 800 }, (_, i) => [(i % 2) * 1450 + 10 + (i % 40) * 2.4, 10 + Math.floor(i / 2) * 2.4]);
+  const page = await openPlanned(t, 'co2-100w', 'far.dxf', dxf(...rows.map(([x, y]) => square(x, y, 2))), { prepare: watchChart });
+  const job = await jobOf(page);
+  assert.match(job, /^0:0\d:\d\d$/);
+  assert.equal(await wholeOf(page), `/ ${job}`);
+  await nextFrames(page, 60);
+  const marks = await page.evaluate(() => window.written.filter((text) => text !== '' && !/^(0\.01|0\.1|1|10) s$/.test(text)));
+  for (const mark of marks) assert.match(mark, /^\d:\d\d:\d\d$/);
+});
+
 test('a job in which nothing can be saved had "0 s saved, 0 % of the job"', async (t) => {
   const page = await openPlanned(t, 'co2-100w', 'one.dxf', rectangle(10, 10, 100, 50));
   assert.equal(await page.locator('.large').textContent(), 'No time saved');
@@ -152,6 +165,43 @@ test('the chart of a job of more than ten hours cut off its marks', async (t) =>
   await replanned(page, () => machine.getByLabel('Cutting speed').fill('0.2'));
   await page.waitForFunction(() => window.written.some((text) => /^\d\d:\d\d:\d\d$/.test(text)));
   assert.deepEqual(await page.evaluate(() => window.clipped), []);
+});
+
+test('a search that ended at once had a chart without a line', async (t) => {
+  const page = await openPlanned(t, 'co2-100w', 'one.dxf', rectangle(10, 10, 100, 50));
+  await page.locator('.chart').waitFor({ state: 'hidden' });
+  await drop(page, 'grid.dxf', grid(20));
+  await planned(page, 'grid.dxf', 'done');
+  await page.locator('.chart').waitFor();
+});
+
+test('a drawing of 1.75 mm was 1.8 mm large', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4&units=mm' });
+  await phase(page, 'done');
+  for (const [width, height, text] of [[0.95, 1.75, '0.95 × 1.75 mm'], [6.17, 197.06, '6.2 × 197.1 mm'], [0.5, 0.25, '0.500 × 0.250 mm'], [0.04, 20, '0.040 × 20 mm']]) {
+    await drop(page, `${width}.dxf`, rectangle(10, 10, width, height));
+    await page.waitForFunction((text) => document.querySelector('.measure').textContent === text, text);
+  }
+});
+
+/** Runs in the page before anything else: records what is written beyond the right edge of the sheet. */
+const watchEdge = () => {
+  window.beyond = [];
+  const { fillText } = CanvasRenderingContext2D.prototype;
+  CanvasRenderingContext2D.prototype.fillText = function (text, x, ...more) {
+    if (this.canvas.id === 'canvas') {
+      const { e } = this.getTransform();
+      const right = e + x + (this.textAlign === 'right' ? 0 : this.textAlign === 'center' ? this.measureText(text).width / 2 : this.measureText(text).width);
+      if (/bed/.test(text) && right > this.canvas.width) window.beyond.push(`${text} at ${right} of ${this.canvas.width}`);
+    }
+    return fillText.call(this, text, x, ...more);
+  };
+};
+
+test('the size of the bed was cut off beside a high drawing', async (t) => {
+  const page = await openPlanned(t, 'co2-100w', 'high.dxf', rectangle(0, 0, 404, 1400), { prepare: watchEdge });
+  await still(page);
+  assert.deepEqual(await page.evaluate(() => window.beyond), []);
 });
 
 test('a difference of minutes is written like the times that it is the difference of', async (t) => {

@@ -8,6 +8,7 @@ import type { Playback } from '../playback/playback.js';
 import { Timeline, type Moment } from '../playback/timeline.js';
 import type { Alternative, Alternatives } from '../session/alternatives.js';
 import type { Session } from '../session/session.js';
+import { longestTime } from '../session/state.js';
 import type { Travel } from '../stage/raster-messages.js';
 import { Scene } from '../stage/scene.js';
 
@@ -162,7 +163,7 @@ export class BeforeAfter {
     const { now, other } = this;
     if (!other) return;
     const second = other.timeline?.total ?? 0;
-    const longest = Math.max(now?.total ?? 0, second);
+    const longest = Math.max(longestTime(this.parts.session.state), second);
     setText(this.first, now && second > 0 ? `${words.result.now} · ${seconds(now.total, longest)}` : '');
     setText(other.label, second > 0 ? `${words.result[this.order === 'now' ? 'greedy' : this.order]} · ${seconds(second, longest)}` : '');
   }

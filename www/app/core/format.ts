@@ -55,10 +55,10 @@ export function seconds(s: number, beside = s): string {
 
 const pair = (n: number) => String(n).padStart(2, '0');
 
-/** A moment of a job of `total` seconds, in the form of that time, with a tenth of a second at least: "2.3 s" of "48.8 s", "0:01:23" of "0:19:41". */
-export function clock(s: number, total: number): string {
+/** A moment of a job of `total` seconds, in the form of that time, with a tenth of a second at least: "2.3 s" of "48.8 s", "0:01:23" of "0:19:41". `beside` as above. */
+export function clock(s: number, total: number, beside = total): string {
   const t = Math.max(0, s);
-  return total < LONG ? `${fixed(t, total > 0 ? Math.max(1, decimals(total)) : 1)} s` : seconds(t, total);
+  return Math.max(total, beside) < LONG ? `${fixed(t, total > 0 ? Math.max(1, decimals(total)) : 1)} s` : seconds(t, LONG);
 }
 
 /** What stands between whole numbers and decimals. */
@@ -77,11 +77,11 @@ export function millimetres(mm: number): string {
   return mm >= 10_000 && unit === 'mm' ? metres(mm) : `${three(mm / factor)} ${unit}`;
 }
 
-/** A length on the sheet, to a tenth of a millimetre or a hundredth of an inch: "1000", "297.5". */
-export function size(mm: number): string {
+/** A length on the sheet, to a tenth of a millimetre, below 10 mm and in inches to a hundredth: "1000", "297.5", "1.75". `beside`: the larger one of two. */
+export function size(mm: number, beside = mm): string {
   const { unit, factor } = shownIn('mm');
-  const value = mm / factor;
-  return Math.abs(value) < 1 ? three(value) : upTo(value, unit === 'mm' ? 1 : 2);
+  const [value, largest] = [mm / factor, Math.abs(beside / factor)];
+  return largest < 1 || Math.abs(value) < 0.1 ? three(value) : upTo(value, unit === 'mm' && largest >= 10 ? 1 : 2);
 }
 
 /** The same with its unit: "297.5 mm". */
@@ -104,7 +104,8 @@ export function place(x: number, y: number): string {
 export function extent(width: number, height: number): string {
   const { unit } = shownIn('mm');
   if (unit === 'mm' && Math.max(width, height) >= 10_000) return `${three(width / 1000)} × ${three(height / 1000)} m`;
-  return `${size(width)} × ${size(height)} ${unit}`;
+  const largest = Math.max(width, height);
+  return `${size(width, largest)} × ${size(height, largest)} ${unit}`;
 }
 
 /** An area: "120 mm²", from 100 cm² on "0.0123 m²", or "19.1 in²". `beside`: the smallest area of its list, as a list has one unit. */

@@ -9,7 +9,7 @@ import { seconds, short, unbroken } from '../core/format.js';
 import { doneSentence } from '../core/strings.js';
 import type { Session } from '../session/session.js';
 import { isRefusedOffBed } from '../session/off-bed.js';
-import { isOptimal, type State } from '../session/state.js';
+import { isOptimal, longestTime, type State } from '../session/state.js';
 import { words } from '../core/words/index.js';
 
 export interface DockActions {
@@ -82,7 +82,7 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
 /** The state in one sentence. */
 export function headline(state: State): string {
   const { phase, progress } = state;
-  const best = progress ? seconds(progress.summary.total_time) : null;
+  const best = progress ? seconds(progress.summary.total_time, longestTime(state)) : null;
   if (state.applying && phase !== 'reading') return words.dock.applying;
   switch (phase) {
     case 'starting': return words.dock.starting;
