@@ -16,7 +16,7 @@ const NARROW = [[320, 568], [375, 667], [720, 900], [768, 1024], [834, 1112], [8
 const misplaced = () => {
   const found = [];
   for (const group of document.querySelectorAll('.top, .toolbar, .playback, .dock, .drawer .dialog-head')) {
-    const boxes = [...group.querySelectorAll('button, select, input, output, .whole, .shortened, .measure')]
+    const boxes = [...group.querySelectorAll('button, select, input, .now, .whole, .shortened, .measure')]
       .filter((e) => e.checkVisibility() && e.getClientRects().length > 0 && !e.closest('[popover]'))
       .map((e) => [(e.getAttribute('aria-label') ?? e.textContent).slice(0, 30), e.getBoundingClientRect(), e]);
     for (const [name, box, e] of boxes) {
@@ -83,6 +83,23 @@ test('a long name in Persian lost its beginning, and is read from the right now'
   assert.ok(begins.right <= root.right + 1 && begins.left > ends.right, `${JSON.stringify(begins)} is right of ${JSON.stringify(ends)}, within ${JSON.stringify(root)}`);
   assert.ok(Math.abs(ends.left - root.left) < 1, 'it stands below the other lines, at the left');
 });
+
+for (const [width, height, language] of [[1024, 768, 'en'], [390, 844, 'de']]) {
+  test(`"Keep improving" took two lines (${width} × ${height}, ${language})`, async (t) => {
+    const { page } = await openPage(t, { size: { width, height }, hash: 'seconds=0.4&machine=co2-100w', prepare: `localStorage.setItem('kerfway.language', '${language}')` });
+    await phase(page, 'done');
+    const lines = () => page.evaluate(() => [...document.querySelectorAll('.dock-actions button:not([hidden]) span')].map((label) => label.getClientRects()[0].height));
+    for (const name of ['sheet_500.dxf', 'off-the-bed.dxf']) {
+      if (name === 'off-the-bed.dxf') {
+        await drop(page, name, sample('lumberjack-polaris.dxf'));
+        await planned(page, name, 'done');
+      }
+      const heights = await lines();
+      assert.equal(heights.length, 2, name);
+      if (language === 'en' || name === 'sheet_500.dxf') assert.ok(heights.every((height) => height < 25), `${name}: ${heights}`);
+    }
+  });
+}
 
 for (const [width, height] of NARROW) {
   // In German, whose words are long.

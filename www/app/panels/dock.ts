@@ -56,7 +56,7 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
     disable(gcode, applying || (failsCheck(state) ? words.dock.fails : ''));
     setText(gcodeLabel, words.result.kinds[state.machine?.takes ?? 'gcode']);
     // A choice with which nothing can be planned is what to go back from; the drawing is not at fault.
-    undo.hidden = phase !== 'ready' || state.error === null || !session.canUndo;
+    undo.hidden = phase !== 'ready' || !session.canUndo;
     open.hidden = phase !== 'failed' && (phase !== 'ready' || !undo.hidden);
     const busy = phase === 'starting' || phase === 'reading' || state.applying;
     if (pressed?.hidden) root.querySelector<HTMLElement>('.dock-actions button:not([hidden])')?.focus();

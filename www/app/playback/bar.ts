@@ -13,7 +13,8 @@ const SPEEDS: readonly [label: string, speed: number | null][] = [[words.playbac
 export function playbackBar(playback: Playback, longest: () => number): Node[] {
   const play = button(words.playback.play, { icon: 'play', iconOnly: true, class: 'quiet', onclick: () => playback.toggle() });
   const slider = h('input', { type: 'range', min: 0, max: STEPS, value: STEPS, 'aria-label': words.playback.moment });
-  const now = h('output', { class: 'number now' });
+  // Not an output, which would be read aloud with every frame: the slider says the time when it is asked for.
+  const now = h('span', { class: 'number now' });
   const whole = h('span', { class: 'number soft whole' });
   const speed = h('select', { 'aria-label': words.playback.speed }, ...SPEEDS.map(([label]) => h('option', {}, label)));
   slider.addEventListener('input', () => {
