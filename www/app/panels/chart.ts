@@ -59,8 +59,7 @@ export function chart(session: Session, theme: Theme): HTMLElement {
 
   const draw = () => {
     timer = 0;
-    const { phase, curve } = session.state;
-    root.hidden = phase === 'done' && (curve.at.at(-1) ?? 0) < BRIEF;
+    root.hidden = session.state.phase === 'done' && hasNoCourse(session.state);
     if (holder.clientWidth === 0) return;
     plot ??= make();
     if (plot.width !== holder.clientWidth) plot.setSize({ width: holder.clientWidth, height: HEIGHT });
@@ -77,6 +76,11 @@ export function chart(session: Session, theme: Theme): HTMLElement {
   theme.on('change', () => plot?.redraw(false));
   new ResizeObserver(soon).observe(holder);
   return root;
+}
+
+/** Whether a finished search is not worth a chart: it ended at once, or by itself with the path that it began with. */
+function hasNoCourse({ curve: { at, total }, reason }: State): boolean {
+  return (at.at(-1) ?? 0) < BRIEF || (reason === 'exhausted' && total[0] === total.at(-1));
 }
 
 /** The curve and its horizontal lines. `above`: the job time of the drawing order, where it is too far away to be shown. */
