@@ -154,6 +154,15 @@ test('what happens is announced politely, never more often than every two second
   for (let i = 1; i < said.length; i += 1) assert.ok(said[i][0] - said[i - 1][0] > 1900, JSON.stringify(said));
 });
 
+test('the time of the playback was read aloud with every frame', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
+  await phase(page, 'done');
+  await page.keyboard.press(' ');
+  const spoken = await page.evaluate(() => [...document.querySelectorAll('#playback :is([aria-live], output, [role=status], [role=log], [role=timer])')].map((e) => e.outerHTML));
+  assert.deepEqual(spoken, []);
+  assert.match(await page.getByRole('slider', { name: 'Time in the job' }).getAttribute('aria-valuetext'), /^0:\d\d:\d\d of 0:\d\d:\d\d, contour \d+ of 500$/);
+});
+
 test('a phone shows the whole page without scrolling sideways', async (t) => {
   const { page } = await openPage(t, { size: SIZES.phone, touch: true });
   await phase(page, 'planning');

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { dxf, square } from '../package/support.mjs';
+import { grid } from './page-drawings.mjs';
 import { download, openPage, openPlanned, phase, SIZES, stored } from './page-support.mjs';
 
 /** Opens a part of the panel, which may have to be loaded first. */
@@ -63,6 +64,19 @@ test('an invalid parameter is explained in a sentence, the drawing stays, and th
   assert.equal(await page.getByLabel('Population').inputValue(), '200');
   await page.getByLabel('Population').fill('20');
   await phase(page, 'planning');
+});
+
+test('where every layer was ignored, another file was offered instead of the way back', async (t) => {
+  const page = await openPlanned(t, 'co2-100w', 'grid.dxf', grid(20));
+  await open(page, 'Drawing');
+  const layers = page.getByLabel(/^Operation for layer/);
+  for (let k = 0; k < 2; k += 1) await layers.nth(k).selectOption({ label: 'Ignore' });
+  await phase(page, 'ready');
+  const dock = page.locator('.dock');
+  await dock.getByText('Nothing to cut: set a layer to cut or mark.').waitFor();
+  assert.deepEqual(await dock.getByRole('button').allInnerTexts(), ['Undo']);
+  await dock.getByRole('button', { name: 'Undo' }).click();
+  await phase(page, 'planning', 'done');
 });
 
 test('a contour is pinned, the start is chosen on the sheet, and the address holds the settings', async (t) => {

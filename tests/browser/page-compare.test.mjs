@@ -46,6 +46,27 @@ for (const [name, size] of Object.entries(SIZES)) {
   });
 }
 
+test('side by side, the times of the drawing before and of an older plan were shown', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4&seed=1' });
+  await phase(page, 'done');
+  const split = page.getByRole('button', { name: 'Show side by side with the plan' });
+  const labels = () => ['.first-label', '.second-label'].map((name) => document.querySelector(name).textContent);
+  await split.click();
+  await page.waitForFunction(() => /Nearest first · /.test(document.querySelector('.second-label').textContent));
+  const now = () => row(page, 'Now');
+  const before = await now();
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press('k');
+  await page.waitForFunction((time) => document.body.dataset.phase === 'done' && document.querySelector('.compare .solid td').textContent !== time, before);
+  assert.equal(await page.locator('.first-label').textContent(), `Now · ${await now()}`);
+  await drop(page, 'grid.dxf', grid(20));
+  await planned(page, 'grid.dxf', 'done');
+  const [first, second] = await page.evaluate(`(() => { document.querySelector('.split-toggle').click(); return (${labels})(); })()`);
+  assert.deepEqual([first, second], ['', '']);
+  await page.waitForFunction(() => /Nearest first · \d[\d.]* s/.test(document.querySelector('.second-label').textContent));
+  assert.equal(await page.locator('.first-label').textContent(), `Now · ${await now()}`);
+});
+
 test('what each kind of decision saves is worked out by leaving it out', async (t) => {
   const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'done');

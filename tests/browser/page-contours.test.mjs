@@ -130,3 +130,20 @@ test('the sheet shows what another tolerance would join or part before it is app
   assert.equal(await number.inputValue(), '0.01');
   await gist(page, '12 contours');
 });
+
+test('while a tolerance was changed, what it would do and the buttons were below the end of the panel', async (t) => {
+  const { page } = await openPage(t, { size: { width: 1440, height: 700 }, hash: 'seconds=0.4' });
+  await phase(page, 'done');
+  await drop(page, 'careless.dxf', sample('gaps-and-copies.dxf'));
+  await planned(page, 'careless.dxf', 'done');
+  await open(page);
+  await page.locator('summary', { hasText: 'Tolerances' }).click();
+  const field = page.getByLabel('Join ends closer than').first();
+  // At the lower end of the panel, where it was scrolled to.
+  await field.evaluate((input) => input.scrollIntoView({ block: 'end' }));
+  await field.fill('2');
+  await page.waitForFunction(() => /would/.test(document.querySelector('.comparison').textContent));
+  const [button, outcome] = await Promise.all([page.getByRole('button', { name: 'Apply' }), page.locator('.comparison')].map((l) => l.boundingBox()));
+  const end = (await page.locator('.dock').boundingBox()).y;
+  assert.ok(button.y + button.height <= end + 1 && outcome.y > 48, `${JSON.stringify(button)}, ${JSON.stringify(outcome)}, ${end}`);
+});

@@ -2,9 +2,10 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { sample } from './page-drawings.mjs';
+import { dxf, square } from '../package/support.mjs';
+import { grid, sample } from './page-drawings.mjs';
 import { shot, still } from './page-pictures.mjs';
-import { drop, nextFrames, openPage, openPlanned, phase, planned } from './page-support.mjs';
+import { drop, machineSection, nextFrames, openPage, openPlanned, phase, planned, replanned, SIZES } from './page-support.mjs';
 
 /** A DXF of a rectangle, mm. */
 function rectangle(x, y, width, height) {
@@ -78,16 +79,68 @@ test('the width of the sheet interrupts the edge of the bed', async (t) => {
   assert.ok(struck.at < 8, `and not through the text: ${struck.at} pixels`);
 });
 
-/** Runs in the page before anything else: records what is written on the chart since it was last cleared. */
+const jobOf = (page) => page.locator('.compare .solid td').first().textContent();
+const wholeOf = (page) => page.locator('#playback .whole').textContent();
+
+test('the same time was written as 0:19:47 and 19:46.5, and as 48.8 s and 0:48.7', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4&seed=1' });
+  await phase(page, 'done');
+  for (const [name, form] of [['sheet_500.dxf', /^0:\d\d:\d\d$/], ['grid.dxf', /^\d\d\.\d s$/]]) {
+    if (name === 'grid.dxf') {
+      await drop(page, name, grid(20));
+      await planned(page, name, 'done');
+    }
+    const job = await jobOf(page);
+    assert.match(job, form);
+    assert.equal(await wholeOf(page), `/ ${job}`);
+    assert.equal(await page.locator('#playback .now').textContent(), job);
+    await page.keyboard.press('t');
+    await page.locator('.order-row').nth(1).waitFor();
+    const begins = await page.locator('.order-row').nth(1).locator('.number').nth(2).textContent();
+    assert.match(begins, name === 'grid.dxf' ? /^\d\.\d s$/ : form);
+    await page.keyboard.press('t');
+    await page.evaluate(() => document.activeElement.blur());
+    await page.keyboard.press('Home');
+    const card = await page.getByRole('region', { name: 'Selected contour' }).textContent();
+    assert.ok(card.includes(`cut begins at ${begins}`), card);
+    await page.keyboard.press('Escape');
+    await page.getByRole('button', { name: 'Show side by side with the plan' }).click();
+    await page.waitForFunction(() => /Nearest first · /.test(document.querySelector('.second-label')?.textContent));
+    assert.equal(await page.locator('.first-label').textContent(), `Now · ${job}`);
+    await page.getByRole('button', { name: 'Show side by side with the plan' }).click();
+  }
+});
+
+test('the form of a time changed between the table and the playback when only the order of the drawing took longer than 1,000 s', async (t) => {
+  // As drawn the head goes from one end of the bed to the other and back, 800 times.
+  const rows = Array.from({ length: 800 }, (_, i) => [(i % 2) * 1450 + 10 + (i % 40) * 2.4, 10 + Math.floor(i / 2) * 2.4]);
+  const page = await openPlanned(t, 'co2-100w', 'far.dxf', dxf(...rows.map(([x, y]) => square(x, y, 2))), { prepare: watchChart });
+  const job = await jobOf(page);
+  assert.match(job, /^0:0\d:\d\d$/);
+  assert.equal(await wholeOf(page), `/ ${job}`);
+  await nextFrames(page, 60);
+  const marks = await page.evaluate(() => window.written.filter((text) => text !== '' && !/^(0\.01|0\.1|1|10) s$/.test(text)));
+  for (const mark of marks) assert.match(mark, /^\d:\d\d:\d\d$/);
+});
+
+test('a job in which nothing can be saved had "0 s saved, 0 % of the job"', async (t) => {
+  const page = await openPlanned(t, 'co2-100w', 'one.dxf', rectangle(10, 10, 100, 50));
+  assert.equal(await page.locator('.large').textContent(), 'No time saved');
+  assert.match(await sectionText(page, 'Result', 'No time saved'), /No time savedAs long as most programs cut it, nearest first; as long as drawn/);
+});
+
+/** Runs in the page before anything else: records what is written on the chart since it was last cleared, and what of it begins left of it. */
 const watchChart = () => {
   window.written = [];
+  window.clipped = [];
   const { fillText, clearRect } = CanvasRenderingContext2D.prototype;
   CanvasRenderingContext2D.prototype.fillText = function (text, ...place) {
     if (this.canvas.closest('.chart')) window.written.push(text);
+    if (this.canvas.closest('.chart') && this.textAlign === 'right' && place[0] < this.measureText(text).width) window.clipped.push(text);
     return fillText.call(this, text, ...place);
   };
   CanvasRenderingContext2D.prototype.clearRect = function (...box) {
-    if (this.canvas.closest('.chart')) window.written = [];
+    if (this.canvas.closest('.chart')) [window.written, window.clipped] = [[], []];
     return clearRect.call(this, ...box);
   };
 };
@@ -103,6 +156,52 @@ test('the marks of the chart are apart by steps in which people count time', asy
   const steps = [1, 2, 5, 10, 20, 30, 60, 120, 300, 600];
   for (let i = 1; i < times.length; i += 1) assert.ok(steps.includes(times[i] - times[i - 1]), String(times));
   assert.ok(times.every((s) => s % (times[1] - times[0]) === 0), String(times));
+});
+
+test('the chart of a job of more than ten hours cut off its marks', async (t) => {
+  const page = await openPlanned(t, 'co2-100w', 'slow.dxf', grid(400), { prepare: watchChart });
+  const machine = await machineSection(page, SIZES.desktop);
+  await machine.getByText('Advanced settings', { exact: true }).click();
+  await replanned(page, () => machine.getByLabel('Cutting speed').fill('0.2'));
+  await page.waitForFunction(() => window.written.some((text) => /^\d\d:\d\d:\d\d$/.test(text)));
+  assert.deepEqual(await page.evaluate(() => window.clipped), []);
+});
+
+test('a search that ended at once had a chart without a line', async (t) => {
+  const page = await openPlanned(t, 'co2-100w', 'one.dxf', rectangle(10, 10, 100, 50));
+  await page.locator('.chart').waitFor({ state: 'hidden' });
+  await drop(page, 'grid.dxf', grid(20));
+  await planned(page, 'grid.dxf', 'done');
+  await page.locator('.chart').waitFor();
+});
+
+test('a drawing of 1.75 mm was 1.8 mm large', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4&units=mm' });
+  await phase(page, 'done');
+  for (const [width, height, text] of [[0.95, 1.75, '0.95 × 1.75 mm'], [6.17, 197.06, '6.2 × 197.1 mm'], [0.5, 0.25, '0.500 × 0.250 mm'], [0.04, 20, '0.040 × 20 mm']]) {
+    await drop(page, `${width}.dxf`, rectangle(10, 10, width, height));
+    await page.waitForFunction((text) => document.querySelector('.measure').textContent === text, text);
+  }
+});
+
+/** Runs in the page before anything else: records what is written beyond the right edge of the sheet. */
+const watchEdge = () => {
+  window.beyond = [];
+  const { fillText } = CanvasRenderingContext2D.prototype;
+  CanvasRenderingContext2D.prototype.fillText = function (text, x, ...more) {
+    if (this.canvas.id === 'canvas') {
+      const { e } = this.getTransform();
+      const right = e + x + (this.textAlign === 'right' ? 0 : this.textAlign === 'center' ? this.measureText(text).width / 2 : this.measureText(text).width);
+      if (/bed/.test(text) && right > this.canvas.width) window.beyond.push(`${text} at ${right} of ${this.canvas.width}`);
+    }
+    return fillText.call(this, text, x, ...more);
+  };
+};
+
+test('the size of the bed was cut off beside a high drawing', async (t) => {
+  const page = await openPlanned(t, 'co2-100w', 'high.dxf', rectangle(0, 0, 404, 1400), { prepare: watchEdge });
+  await still(page);
+  assert.deepEqual(await page.evaluate(() => window.beyond), []);
 });
 
 test('a difference of minutes is written like the times that it is the difference of', async (t) => {

@@ -29,7 +29,7 @@ test('files dropped together are planned one after the other; each can be opened
 
   const saved = [];
   const all = new Promise((resolve) => page.on('download', (d) => saved.push(d) === 3 && resolve()));
-  await page.getByRole('button', { name: 'G-code of all files' }).click();
+  await page.getByRole('button', { name: 'G-code of 3 of 5 files' }).click();
   await all;
   assert.deepEqual(saved.map((d) => d.suggestedFilename().replace(/\d{4}-\d\d-\d\d/, 'DATE')).sort(), ['one', 'three', 'two'].map((name) => `${name}-co2-100w-DATE.nc`));
   const programs = await Promise.all(saved.map(async (d) => [d.suggestedFilename(), readFileSync(await d.path(), 'utf8')]));
@@ -49,6 +49,31 @@ test('files dropped together are planned one after the other; each can be opened
   await drop(page, 'alone.dxf', grid(10));
   await planned(page, 'alone.dxf');
   assert.equal(await queue(page).isVisible(), false);
+});
+
+test('the list of files said that all programs are downloaded where files have none, and those looked like the others', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
+  await phase(page, 'planning', 'done');
+  await dropAll(page, [['one.dxf', grid(20)], ['broken.dxf', Buffer.from('AC1032\0\0')], ['asks.dxf', sample('no-units.dxf')], ['two.dxf', grid(30)]]);
+  await told(page, '4 of 4');
+  const color = (element) => getComputedStyle(element).color;
+  const amber = await page.evaluate(() => {
+    const probe = document.body.appendChild(document.createElement('i'));
+    probe.style.color = 'var(--amber)';
+    return getComputedStyle(probe).color;
+  });
+  assert.equal(await queue(page).evaluate(color), amber);
+  await queue(page).click();
+  const all = page.locator('.menu-foot button:visible');
+  assert.deepEqual([await all.textContent(), await all.isEnabled()], ['G-code of 2 of 4 files', true]);
+  const colors = await page.locator('.menu-item:visible').evaluateAll((items) => items.map((item) => getComputedStyle(item.lastElementChild).color));
+  assert.deepEqual(colors.map((one) => one === amber), [false, true, true, false]);
+  await page.keyboard.press('Escape');
+  await dropAll(page, [['one.dxf', grid(20)], ['two.dxf', grid(30)]]);
+  await told(page, '2 of 2');
+  assert.notEqual(await queue(page).evaluate(color), amber);
+  await queue(page).click();
+  await page.getByRole('button', { name: 'G-code of all files' }).waitFor();
 });
 
 test('on a phone the list of files fits beside the rest', async (t) => {

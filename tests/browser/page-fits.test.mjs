@@ -46,3 +46,20 @@ for (const language of ['de', 'es']) {
     });
   }
 }
+
+test('the list of materials cut off what is chosen', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4&machine=co2-100w' });
+  await phase(page, 'done');
+  await openEverything(page);
+  const long = 'Birch plywood 3 mm, from the supplier in the next village';
+  await page.getByLabel('Name of the material').fill(long);
+  await page.getByRole('button', { name: 'Save setting' }).click();
+  const wide = page.locator('label.field .wide', { has: page.locator('option', { hasText: 'As the machine is set' }) });
+  const material = wide.locator('select');
+  await material.waitFor();
+  const shown = () => wide.evaluate(namesLines);
+  assert.deepEqual(await shown(), ['As the machine is set', 1]);
+  await material.selectOption(long);
+  await page.waitForFunction((name) => [...document.querySelectorAll('.wide > span')].some((span) => span.textContent === name), long);
+  assert.deepEqual(await shown(), [long, 2]);
+});

@@ -80,7 +80,7 @@ test('lists on the card of a contour stay open while the search goes on', async 
   await phase(page, 'planning', 'done');
   await drop(page, 'card.dxf', grid(300));
   await planned(page, 'card.dxf', 'planning');
-  await page.waitForFunction(() => document.querySelector('.playback .whole').textContent !== '/ 0:00.0');
+  await page.waitForFunction(() => document.querySelector('.playback .whole').textContent !== '/ 0.0 s');
   await page.keyboard.press('Home');
   const choice = page.getByLabel('Joints', { exact: true });
   await choice.focus();

@@ -87,3 +87,13 @@ for (const [name, size] of Object.entries(SIZES)) {
     assert.ok(Math.abs(Math.max(...x) - Math.min(...x) - 134.056) < 0.002, `${Math.min(...x)} to ${Math.max(...x)}`);
   });
 }
+
+test('one damaged entity was skipped and kept as "them"', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
+  await phase(page, 'planning', 'done');
+  // The file ends within its last circle.
+  await drop(page, 'cut-off.dxf', FRAME.subarray(0, FRAME.indexOf('CIRCLE') + 25));
+  await phase(page, 'question');
+  const card = page.getByRole('region', { name: '1 entity in this file is damaged' });
+  assert.deepEqual(await card.getByRole('button').allTextContents(), ['Skip it', 'Keep it']);
+});

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { circle, dxf, polygon, square } from '../package/support.mjs';
-import { shot } from './page-pictures.mjs';
+import { shot, still } from './page-pictures.mjs';
 import { machineSection, openPlanned, output, plan, replanned, SIZES } from './page-support.mjs';
 
 const DRAWING = dxf([...square(20, 20, 40), ...square(80, 20, 40), ...square(30, 30, 15)]);
@@ -165,6 +165,35 @@ test('parts that come off their bridges may tip, and are marked', async (t) => {
   await shot(page, 'bridges-tips-desktop');
   const { summary, machine: { levers } } = await plan(page);
   assert.deepEqual([summary.bridges, summary.crossings, levers.bridges.cut_later, levers.tips.risky_moves], [2, undefined, true, 'avoid']);
+});
+
+test('strips that may tip were not painted, and the number of parts that bridges connect had an empty field', async (t) => {
+  const plate = dxf(square(10, 10, 60), square(78, 30, 20), square(106, 30, 20), square(160, 10, 12));
+  const page = await openPlanned(t, 'fibre-6kw-thick', 'plate.dxf', plate);
+  const machine = await machineSection(page, SIZES.desktop);
+  await machine.getByText('Advanced settings', { exact: true }).click();
+  await replanned(page, () => machine.getByLabel('Pierce time').fill('3'));
+  await replanned(page, () => machine.getByLabel('Connect parts by bridges').check());
+  assert.equal(await machine.getByLabel('Most parts together').getAttribute('placeholder'), 'no limit');
+  await replanned(page, () => machine.getByLabel('Cut them later').check());
+  await replanned(page, () => machine.getByLabel('Mind pieces that tip').check());
+  await replanned(page, () => machine.getByLabel('Pieces drop below').fill('5'));
+  await replanned(page, () => machine.getByLabel('Pieces tip below').fill('40'));
+  await still(page);
+  await shot(page, 'strips-tip');
+  // The drawing is 162 mm wide and 60 high, and fitted into the stage between margins. Strips of 2 mm lead from the plate to the parts.
+  const shades = await page.evaluate(() => {
+    const canvas = document.querySelector('#canvas');
+    const { clientWidth, clientHeight } = canvas;
+    const tools = document.querySelector('.toolbar').offsetWidth;
+    const [width, height] = [clientWidth - 40 - 24 - tools, clientHeight - 100];
+    const scale = 0.94 * Math.min(width / 162, height / 60);
+    const shade = (x, y) => [...canvas.getContext('2d').getImageData(Math.round(40 + width / 2 + (x - 91) * scale), Math.round(60 + height / 2 - (y - 40) * scale), 1, 1).data].join();
+    const around = (x) => Array.from({ length: 41 }, (_, k) => shade(x, 38 + k / 10));
+    return { part: shade(82, 46), waste: shade(74, 55), strips: [around(73), around(101)] };
+  });
+  assert.notEqual(shades.part, shades.waste);
+  for (const strip of shades.strips) assert.ok(strip.filter((shade) => shade === shades.part).length > 5, `${shades.part}: ${strip.join(' ')}`);
 });
 
 const WEDGES = dxf(...[20, 70, 120].map((x) => polygon([[x, 20], [x + 30, 20], [x + 15, 46]])));

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { grid, sample } from './page-drawings.mjs';
 import { picture } from './page-pictures.mjs';
-import { drop, openPage, phase, planned } from './page-support.mjs';
+import { drop, openPage, phase, planned, SIZES } from './page-support.mjs';
 
 /** A phone held sideways, and windows of 1440 × 900 and 1280 × 720 pixels in which the page is enlarged to twice its size. */
 const LOW = [[667, 375], [720, 450], [640, 360], [844, 390]];
@@ -16,7 +16,7 @@ const NARROW = [[320, 568], [375, 667], [720, 900], [768, 1024], [834, 1112], [8
 const misplaced = () => {
   const found = [];
   for (const group of document.querySelectorAll('.top, .toolbar, .playback, .dock, .drawer .dialog-head')) {
-    const boxes = [...group.querySelectorAll('button, select, input, output, .whole, .shortened, .measure')]
+    const boxes = [...group.querySelectorAll('button, select, input, .now, .whole, .shortened, .measure')]
       .filter((e) => e.checkVisibility() && e.getClientRects().length > 0 && !e.closest('[popover]'))
       .map((e) => [(e.getAttribute('aria-label') ?? e.textContent).slice(0, 30), e.getBoundingClientRect(), e]);
     for (const [name, box, e] of boxes) {
@@ -61,6 +61,45 @@ test('the card of a contour leaves more than half of the sheet free in a low win
   await page.getByRole('button', { name: 'More choices' }).click();
   await card.getByLabel('Lead').waitFor();
 });
+
+test('a long name in Persian lost its beginning, and is read from the right now', async (t) => {
+  const { page } = await openPage(t, { size: SIZES.phone, hash: 'seconds=0.4' });
+  await phase(page, 'planning', 'done');
+  const name = 'یک فایل بسیار طولانی برای برش لیزر با نام فارسی plate-v12-rev-b.dxf';
+  await drop(page, name, grid(20));
+  await page.waitForFunction((n) => document.querySelector('.dock-file').textContent === n, name);
+  await picture(page, 'narrow-persian');
+  const { begins, ends, root } = await page.locator('.dock-file').evaluate((root) => {
+    const box = (node, from, to) => {
+      const range = document.createRange();
+      range.setStart(node.firstChild, from);
+      range.setEnd(node.firstChild, to);
+      const { left, right } = range.getBoundingClientRect();
+      return { left, right };
+    };
+    const [begin, end] = root.children;
+    return { begins: box(begin, 0, 2), ends: box(end, 0, end.textContent.length), root: { left: root.getBoundingClientRect().left, right: root.getBoundingClientRect().right } };
+  });
+  assert.ok(begins.right <= root.right + 1 && begins.left > ends.right, `${JSON.stringify(begins)} is right of ${JSON.stringify(ends)}, within ${JSON.stringify(root)}`);
+  assert.ok(Math.abs(ends.left - root.left) < 1, 'it stands below the other lines, at the left');
+});
+
+for (const [width, height, language] of [[1024, 768, 'en'], [390, 844, 'de']]) {
+  test(`"Keep improving" took two lines (${width} × ${height}, ${language})`, async (t) => {
+    const { page } = await openPage(t, { size: { width, height }, hash: 'seconds=0.4&machine=co2-100w', prepare: `localStorage.setItem('kerfway.language', '${language}')` });
+    await phase(page, 'done');
+    const lines = () => page.evaluate(() => [...document.querySelectorAll('.dock-actions button:not([hidden]) span')].map((label) => label.getClientRects()[0].height));
+    for (const name of ['sheet_500.dxf', 'off-the-bed.dxf']) {
+      if (name === 'off-the-bed.dxf') {
+        await drop(page, name, sample('lumberjack-polaris.dxf'));
+        await planned(page, name, 'done');
+      }
+      const heights = await lines();
+      assert.equal(heights.length, 2, name);
+      if (language === 'en' || name === 'sheet_500.dxf') assert.ok(heights.every((height) => height < 25), `${name}: ${heights}`);
+    }
+  });
+}
 
 for (const [width, height] of NARROW) {
   // In German, whose words are long.

@@ -103,3 +103,19 @@ test('on a phone the card has room for joints and leads', async (t) => {
   assert.equal(await card(page).getByLabel('Lead').inputValue(), 'None');
   await shot(page, 'selection-phone-lead');
 });
+
+test('Escape left the selecting of several on', async (t) => {
+  const page = await openPlanned(t, 'co2-100w', 'row.dxf', DRAWING);
+  const several = page.getByRole('button', { name: /^Select several/ });
+  const isOn = () => several.getAttribute('aria-pressed');
+  await page.keyboard.press('b');
+  await page.keyboard.press('Home');
+  assert.equal(await isOn(), 'true');
+  await page.keyboard.press('Escape');
+  assert.deepEqual([await card(page).isVisible(), await isOn()], [false, 'true'], 'first it clears the selection');
+  await page.keyboard.press('Escape');
+  assert.equal(await isOn(), 'false');
+  await page.keyboard.press('Home');
+  await page.keyboard.press('ArrowRight');
+  assert.match(await card(page).textContent(), /^No\. 2 of 12/);
+});

@@ -2,9 +2,10 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { chmodSync, chownSync, closeSync, existsSync, openSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { chmodSync, chownSync, closeSync, existsSync, openSync, readdirSync, readFileSync, utimesSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
+import { setTimeout as wait } from 'node:timers/promises';
 import { COMMANDS } from '../../dist/sdk/cli/commands.js';
 import { contours, disk, faulty, fill, inputs, NOBODY, OLD, POSIX, QUICK, refused, ROOT_USER, run } from './outputs-support.mjs';
 import { CLI, folder } from './support.mjs';
@@ -140,6 +141,33 @@ describe('outputs of one drawing', () => {
     for (const ran of await Promise.all(['1', '2', '3'].map(plan))) assert.equal(ran.code, 0, ran.stderr);
     assert.ok([1, 2, 3].includes(JSON.parse(readFileSync(join(to, 'a.json'), 'utf8')).seed));
     assert.deepEqual(readdirSync(to), ['a.json']);
+  });
+
+  /** Waits two seconds before the second file is renamed. */
+  const SLOW = `data:text/javascript,${encodeURIComponent(`import fs from 'node:fs'; import { syncBuiltinESMExports } from 'node:module';
+    const { renameSync } = fs; let calls = 0;
+    fs.renameSync = (...args) => { if (++calls === 2) Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, 2000); renameSync(...args); };
+    syncBuiltinESMExports();`)}`;
+
+  it('of two commands that wrote several same files at once were mixed', async (t) => {
+    const [from, to] = [inputs(t), folder(t)];
+    const [json, program] = [join(to, 'a.json'), join(to, 'a.nc')];
+    const plan = (machine, options) => run(['plan', join(from, 'a.dxf'), ...QUICK, '--machine', machine, '--json', json, '--gcode', program, '--quiet'], options);
+    const slow = plan('co2-100w', { preload: ['--import', SLOW] });
+    while (!existsSync(json)) await wait(10);
+    for (const ran of await Promise.all([slow, plan('co2-linuxcnc')])) assert.equal(ran.code, 0, ran.stderr);
+    assert.equal(JSON.parse(readFileSync(json, 'utf8')).machine.name, 'co2-linuxcnc');
+    assert.match(readFileSync(program, 'utf8'), /machine co2-linuxcnc/m);
+    assert.deepEqual(readdirSync(to).sort(), ['a.json', 'a.nc']);
+  });
+
+  it('are written although a program that was killed has left its lock', async (t) => {
+    const [from, to] = [inputs(t), folder(t)];
+    const lock = join(to, '.kerfway-lock.tmp');
+    writeFileSync(lock, '');
+    utimesSync(lock, new Date(2020, 1, 1), new Date(2020, 1, 1));
+    assert.equal((await run(['plan', join(from, 'a.dxf'), ...QUICK, '--json', join(to, 'a.json'), '--gcode', join(to, 'a.nc')])).code, 0);
+    assert.deepEqual(readdirSync(to).sort(), ['a.json', 'a.nc']);
   });
 
   it('are written even if the reader of standard output stops', { skip: !POSIX && 'there is no shell' }, async (t) => {

@@ -5,7 +5,7 @@ import { after, before, describe, it } from 'node:test';
 import * as kerfway from 'kerfway';
 import { circle, dxf, square } from './support.mjs';
 
-const { activeContours, basket, check, createPlanner, DEFAULT_JOINTS, DEFAULT_LEADS, given, isProject, jobReport, jointRules, jointSettings, LEVERS, leadRules, leadSettings, leverSavings, partThumbnail, plan, pointOf, priceBreaks, quote, verifyQuote, withoutLever } = kerfway;
+const { activeContours, basket, check, createPlanner, DEFAULT_JOINTS, DEFAULT_LEADS, given, isProject, jobReport, jointRules, jointSettings, LEVERS, leadRules, leadSettings, leverSavings, partThumbnail, plan, pointOf, priceBreaks, quote, tooLarge, verifyQuote, withoutLever } = kerfway;
 
 const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
 const SHORT = { units: 'mm', moves: 100, seed: 1 };
@@ -152,6 +152,24 @@ describe('programs', () => {
     shared.set(new TextEncoder().encode(text));
     const expected = await check(text);
     for (const program of [new TextEncoder().encode(text), Buffer.from(text), shared, new Blob([text])]) assert.deepEqual(await check(program), expected);
+  });
+});
+
+describe('a sample program for nothing', () => {
+  it('was refused in the name of another function', async () => {
+    assert.equal((await refusal(() => planner.sampleProgram(null))).message, 'sampleProgram is null. Give an object with named options.');
+    assert.match((await refusal(() => planner.sampleProgram({ machin: 'k40' }))).message, /^sampleProgram .*"machin"/);
+  });
+});
+
+describe('the size of a file that is no number', () => {
+  it('was written as NaN MB', async () => {
+    for (const [nothing, shown] of [['x', '"x"'], ['5', '"5"'], [undefined, 'undefined'], [null, 'null'], [NaN, 'NaN'], [-1, '-1'], [{}, 'an object']]) {
+      const message = await refused(() => tooLarge(nothing), 'wrong-type', 'bytes');
+      assert.equal(message, `The size of the file is ${shown}. Give the number of its bytes.`);
+    }
+    assert.deepEqual([tooLarge(0), tooLarge(2 ** 28)], [null, null]);
+    assert.match(tooLarge(2 ** 28 + 1), /^The file has 257 MB; up to 256 MB can be read/);
   });
 });
 

@@ -35,6 +35,7 @@ import { bedAround } from './session/placing.js';
 import { Preview } from './session/preview.js';
 import { fetchSample, SAMPLES } from './session/samples.js';
 import { Session } from './session/session.js';
+import { longestTime } from './session/state.js';
 import { translate } from './core/markup.js';
 import { words } from './core/words/index.js';
 import { ramp } from './stage/ramp.js';
@@ -127,7 +128,7 @@ export async function startPage(): Promise<void> {
     resultPanel(session, theme, { download: (kind) => void files.download(kind), saveProject: () => void files.saveProject(), saveReport: () => void files.saveReport(), copyProgram: () => void files.copyProgram() }, alternatives), quote.root);
   element('dock').append(dock(session, { open: () => files.choose(), program, place, sheet: () => layout.toggleSheet() }));
   dragSheet(document.querySelector('.dock-state')!, element('sections'), { open: () => document.body.classList.contains('sheet-open'), toggle: () => layout.toggleSheet() });
-  element('playback').append(...playbackBar(playback));
+  element('playback').append(...playbackBar(playback, () => longestTime(session.state)));
   element('stage').append(tools.root, orders.root, tools.legend, selection.card.root, question, notices.failure, selection.table.root, notices.notice, pointer.tooltip.root);
 
   const showTheme = () => {

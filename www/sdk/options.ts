@@ -83,6 +83,7 @@ const KNOWN = {
   verifyQuote: shapeOf('verifyQuote', optional('signal', 'signal')),
   render: shapeOf('render', optional('width', { whole: WIDTH }), optional('signal', 'signal')),
   checkedOn: shapeOf('check', ...PLANNING.fields.filter(({ name }) => name === 'machine')),
+  sampleProgram: shapeOf('sampleProgram', ...PLANNING.fields.filter(({ name }) => name === 'machine')),
   check: shapeOf('check', ...PLANNING.fields.filter(({ name }) => name === 'machine'), optional('signal', 'signal')),
   planning: shapeOf('Planning', ...PLANNING_OPTIONS),
   readingAndPlanning: shapeOf('Planning', ...READING.fields, ...PLANNING_OPTIONS),

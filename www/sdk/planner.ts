@@ -195,7 +195,7 @@ export class Planner {
   /** A small program for a machine, a square with a hole, which shows what its dialect looks like. */
   sampleProgram(options: CheckedOn = {}): Promise<string> {
     return quietAtClose(async () => {
-      const own = checkOptions(options, 'checkedOn');
+      const own = checkOptions(options, 'sampleProgram');
       return (await this.worker.ask<'sample'>((id) => ({ type: 'sample', id, options: own }))).program;
     });
   }

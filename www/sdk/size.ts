@@ -3,6 +3,7 @@
  * The number is that of `Limits` in `src/drawing/reading.rs`; a Rust test compares the two.
  */
 
+import { shown } from './check.js';
 import { KerfwayError } from './errors.js';
 
 /** The size of the largest file that can be read, in bytes. */
@@ -10,6 +11,7 @@ export const MAX_BYTES = 256 * 2 ** 20;
 
 /** Why a file of this size is refused, in one sentence for people; `null` when it can be read. */
 export function tooLarge(bytes: number): string | null {
+  if (typeof bytes !== 'number' || !(bytes >= 0)) throw new KerfwayError('wrong-type', `The size of the file is ${shown(bytes)}. Give the number of its bytes.`, { field: 'bytes' });
   return bytes <= MAX_BYTES ? null : refusal(`${megabytes(bytes)} MB`);
 }
 

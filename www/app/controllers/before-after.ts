@@ -1,13 +1,14 @@
 /** Before and after: the sheet shows the plan, or how the job would be cut nearest first or in the order of the drawing; or both side by side. */
 
-import { h, button } from '../core/dom.js';
-import { clock } from '../core/format.js';
+import { h, button, setText } from '../core/dom.js';
+import { seconds } from '../core/format.js';
 import { messageOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
 import type { Playback } from '../playback/playback.js';
 import { Timeline, type Moment } from '../playback/timeline.js';
 import type { Alternative, Alternatives } from '../session/alternatives.js';
 import type { Session } from '../session/session.js';
+import { longestTime } from '../session/state.js';
 import type { Travel } from '../stage/raster-messages.js';
 import { Scene } from '../stage/scene.js';
 
@@ -68,6 +69,7 @@ export class BeforeAfter {
       return;
     }
     if (this.order === 'now' || this.beside) this.show(this.parts.scene, now, now);
+    if (this.beside) this.showNames();
   }
 
   setTheme(theme: 'light' | 'dark'): void {
@@ -147,26 +149,41 @@ export class BeforeAfter {
   private showBeside(found: Alternative): void {
     const { now, other } = this;
     if (!now || !other) return;
+    this.second();
     const { session: { state } } = this.parts;
-    if (other.loaded !== state.loaded) {
-      other.scene.setDrawing(state.loaded, state.extent, false);
-      other.loaded = state.loaded;
-    }
     other.scene.setPrepared({ ...state, planFindings: [] });
     other.scene.setPath(found.path, now.travel);
     other.timeline = this.timeline(found, now);
-    this.first.textContent = `${words.result.now} · ${clock(now.total)}`;
-    other.label.textContent = `${words.result[this.order === 'now' ? 'greedy' : this.order]} · ${clock(found.total)}`;
+    this.showNames();
     this.showMoment();
   }
 
+  /** What each sheet shows and how long it takes, once the second shows something. */
+  private showNames(): void {
+    const { now, other } = this;
+    if (!other) return;
+    const second = other.timeline?.total ?? 0;
+    const longest = Math.max(longestTime(this.parts.session.state), second);
+    setText(this.first, now && second > 0 ? `${words.result.now} · ${seconds(now.total, longest)}` : '');
+    setText(other.label, second > 0 ? `${words.result[this.order === 'now' ? 'greedy' : this.order]} · ${seconds(second, longest)}` : '');
+  }
+
   private second(): void {
-    if (this.other) return;
+    const { other, parts: { session: { state } } } = this;
+    if (other) {
+      if (other.loaded === state.loaded) return;
+      // Of another drawing neither its path nor its time is shown while those of this one are worked out.
+      other.scene.setDrawing(state.loaded, state.extent, false);
+      [other.loaded, other.timeline] = [state.loaded, null];
+      this.showNames();
+      return;
+    }
     const canvas = h('canvas', { class: 'second', 'aria-hidden': 'true' });
     const label = h('p', { class: 'sheet-label second-label soft number' });
     this.parts.stage.insertBefore(canvas, this.parts.stage.querySelector('#hint'));
     this.parts.stage.append(this.first, label);
     this.other = { scene: new Scene(canvas, this.parts.scene.viewport, this.parts.theme()), canvas, label, timeline: null, loaded: null };
+    this.second();
   }
 
   /** The second stage follows the playback, at the same second of its own job. */

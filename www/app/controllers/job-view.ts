@@ -9,7 +9,7 @@ import type { Playback } from '../playback/playback.js';
 import { writeAddress } from '../session/address.js';
 import { bedAround, fitsBed, homeAround } from '../session/placing.js';
 import type { Session } from '../session/session.js';
-import type { State } from '../session/state.js';
+import { longestTime, type State } from '../session/state.js';
 import type { Travel } from '../stage/raster-messages.js';
 import type { Scene } from '../stage/scene.js';
 import type { BeforeAfter } from './before-after.js';
@@ -74,7 +74,7 @@ export class JobView {
     scene.highlight({ partitions: insights.now?.partitions ?? null });
     this.parts.orders.setNow({ path, total: progress.summary.total_time, travel, still: machine.pierce_time + machine.beam_on_delay });
     selection.refresh();
-    announcer.report(words.page.best(seconds(progress.summary.total_time)));
+    announcer.report(words.page.best(seconds(progress.summary.total_time, longestTime(state))));
   }
 
   private showState(state: State): void {

@@ -54,7 +54,10 @@ export function bindKeyboard({ session, playback, viewport, files, layout, point
       if (help.cancel()) return;
       if (session.state.refused && session.state.loaded) session.store.refusalSeen();
       else if (pointer.measure(false)) flip('measure');
-      else if (!pointer.placeJoints(false) && !pointer.cancelHome() && !pointer.dragJob(false)) selection.clear();
+      else if (pointer.placeJoints(false) || pointer.cancelHome() || pointer.dragJob(false)) return;
+      // The key ends the selecting of several when nothing is selected any more.
+      else if (selection.several && selection.contours.length === 0) flip('several');
+      else selection.clear();
     },
   });
 }

@@ -7,7 +7,8 @@ const [END, FITS] = [12, 24];
 
 export function fileName(className: string): { root: HTMLElement; show(name: string): void } {
   const [begin, end] = [h('span'), h('span')];
-  const root = h('span', { class: `shortened ${className}` }, begin, end);
+  // A name in Arabic or Hebrew is read from the right, and would lose its beginning there.
+  const root = h('span', { class: `shortened ${className}`, dir: 'auto' }, begin, end);
   const show = (name: string) => {
     const characters = [...name];
     const cut = characters.length > FITS ? characters.length - END : FITS;

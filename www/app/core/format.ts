@@ -26,8 +26,11 @@ export function three(x: number): string {
   const size = Math.abs(x);
   if (size < 5e-4) return '0';
   if (size >= 999.5) return count(Number(x.toPrecision(3)));
-  return decimal(x, Math.min(3, Math.max(0, 2 - Math.floor(Math.log10(size)))));
+  return decimal(x, decimals(size));
 }
+
+/** How many decimals three significant digits have. */
+const decimals = (size: number) => Math.min(3, Math.max(0, 2 - Math.floor(Math.log10(size))));
 
 /** A number with this many decimals. */
 export function fixed(x: number, decimals: number): string {
@@ -52,12 +55,10 @@ export function seconds(s: number, beside = s): string {
 
 const pair = (n: number) => String(n).padStart(2, '0');
 
-/** A time within the job: "1:23.4", "1:02:03". */
-export function clock(s: number): string {
+/** A moment of a job of `total` seconds, in the form of that time, with a tenth of a second at least: "2.3 s" of "48.8 s", "0:01:23" of "0:19:41". `beside` as above. */
+export function clock(s: number, total: number, beside = total): string {
   const t = Math.max(0, s);
-  if (t >= 3600) return `${Math.floor(t / 3600)}:${pair(Math.floor(t / 60) % 60)}:${pair(Math.floor(t) % 60)}`;
-  const tenths = Math.floor(t * 10 + 1e-6);
-  return `${Math.floor(tenths / 600)}:${pair(Math.floor(tenths / 10) % 60)}${POINT}${tenths % 10}`;
+  return Math.max(total, beside) < LONG ? `${fixed(t, total > 0 ? Math.max(1, decimals(total)) : 1)} s` : seconds(t, LONG);
 }
 
 /** What stands between whole numbers and decimals. */
@@ -76,11 +77,11 @@ export function millimetres(mm: number): string {
   return mm >= 10_000 && unit === 'mm' ? metres(mm) : `${three(mm / factor)} ${unit}`;
 }
 
-/** A length on the sheet, to a tenth of a millimetre or a hundredth of an inch: "1000", "297.5". */
-export function size(mm: number): string {
+/** A length on the sheet, to a tenth of a millimetre, below 10 mm and in inches to a hundredth: "1000", "297.5", "1.75". `beside`: the larger one of two. */
+export function size(mm: number, beside = mm): string {
   const { unit, factor } = shownIn('mm');
-  const value = mm / factor;
-  return Math.abs(value) < 1 ? three(value) : upTo(value, unit === 'mm' ? 1 : 2);
+  const [value, largest] = [mm / factor, Math.abs(beside / factor)];
+  return largest < 1 || Math.abs(value) < 0.1 ? three(value) : upTo(value, unit === 'mm' && largest >= 10 ? 1 : 2);
 }
 
 /** The same with its unit: "297.5 mm". */
@@ -103,7 +104,8 @@ export function place(x: number, y: number): string {
 export function extent(width: number, height: number): string {
   const { unit } = shownIn('mm');
   if (unit === 'mm' && Math.max(width, height) >= 10_000) return `${three(width / 1000)} × ${three(height / 1000)} m`;
-  return `${size(width)} × ${size(height)} ${unit}`;
+  const largest = Math.max(width, height);
+  return `${size(width, largest)} × ${size(height, largest)} ${unit}`;
 }
 
 /** An area: "120 mm²", from 100 cm² on "0.0123 m²", or "19.1 in²". `beside`: the smallest area of its list, as a list has one unit. */

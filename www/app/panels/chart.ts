@@ -9,12 +9,14 @@ import { colorOf } from '../core/color.js';
 import { h, setText } from '../core/dom.js';
 import { LONG, seconds, upTo } from '../core/format.js';
 import type { Session } from '../session/session.js';
-import type { State } from '../session/state.js';
+import { longestTime, type State } from '../session/state.js';
 import type { Theme } from '../core/theme.js';
 import { words } from '../core/words/index.js';
 
 /** Where the axis begins, s: the first plan is ready within milliseconds, and a logarithmic axis cannot begin at zero. */
 const FIRST = 0.01;
+/** A search that ends before, s, has no course that could be shown. */
+const BRIEF = 0.1;
 /** Milliseconds between two redraws. */
 const PAUSE = 250;
 const HEIGHT = 136;
@@ -27,6 +29,7 @@ export function chart(session: Session, theme: Theme): HTMLElement {
   const holder = h('div', { class: 'chart', role: 'img', 'aria-label': words.result.chart });
   const off = h('span', { class: 'number' });
   const caption = h('figcaption', { class: 'soft' }, h('span', {}, words.result.chartAxis), off);
+  const root = h('figure', {}, caption, holder);
   const color = (name: string) => () => colorOf(name);
   const soft = color('ink-soft'), hair = color('line');
   const axis = { stroke: soft, font: '12px system-ui', grid: { stroke: hair, width: 1 }, ticks: { show: false }, gap: 4 };
@@ -43,7 +46,7 @@ export function chart(session: Session, theme: Theme): HTMLElement {
     scales: { x: { time: false, distr: 3, range: (_u, _low, high) => [FIRST, Math.max(1, high)] }, y: { range: (_u, low, high) => pad(low, high) } },
     axes: [
       { ...axis, size: 22, space: 40, filter: decades, grid: { ...axis.grid, filter: decades }, values: (_u, splits) => splits.map((s) => (s === null ? '' : `${upTo(s, 3)} s`)) },
-      { ...axis, size: 52, space: 32, incrs: STEPS, values: (_u, splits) => splits.map((s) => (s < LONG ? `${upTo(s, 2)} s` : seconds(s))) },
+      { ...axis, size: (_u, marks) => Math.max(52, 6.5 * Math.max(...(marks ?? []).map((mark) => mark.length), 0) + 6), space: 24, incrs: STEPS, values: (_u, splits) => splits.map((s) => (longestTime(session.state) < LONG ? `${upTo(s, 2)} s` : seconds(s, LONG))) },
     ],
     series: [
       {},
@@ -56,12 +59,13 @@ export function chart(session: Session, theme: Theme): HTMLElement {
 
   const draw = () => {
     timer = 0;
+    root.hidden = session.state.phase === 'done' && hasNoCourse(session.state);
     if (holder.clientWidth === 0) return;
     plot ??= make();
     if (plot.width !== holder.clientWidth) plot.setSize({ width: holder.clientWidth, height: HEIGHT });
     const { data, above } = dataOf(session.state);
     plot.setData(data);
-    setText(off, above === null ? '' : words.result.chartAbove(seconds(above)));
+    setText(off, above === null ? '' : words.result.chartAbove(seconds(above, longestTime(session.state))));
     holder.setAttribute('aria-label', describe(session.state));
   };
   const soon = () => {
@@ -71,7 +75,12 @@ export function chart(session: Session, theme: Theme): HTMLElement {
   session.store.on('change', soon);
   theme.on('change', () => plot?.redraw(false));
   new ResizeObserver(soon).observe(holder);
-  return h('figure', {}, caption, holder);
+  return root;
+}
+
+/** Whether a finished search is not worth a chart: it ended at once, or by itself with the path that it began with. */
+function hasNoCourse({ curve: { at, total }, reason }: State): boolean {
+  return (at.at(-1) ?? 0) < BRIEF || (reason === 'exhausted' && total[0] === total.at(-1));
 }
 
 /** The curve and its horizontal lines. `above`: the job time of the drawing order, where it is too far away to be shown. */

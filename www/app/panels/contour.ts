@@ -9,6 +9,7 @@ import type { Playback } from '../playback/playback.js';
 import { partsOf } from '../session/parts.js';
 import { choosing, commonChoice, groupOf } from '../session/groups.js';
 import { holds, isDrawn, pathContours, type Rule, RULES } from '../session/rules.js';
+import { longestTime } from '../session/state.js';
 import { whyHere } from '../session/why.js';
 import { words } from '../core/words/index.js';
 
@@ -144,7 +145,7 @@ export class ContourCard {
     const [name = '', ...facts] = describe(this.session, this.playback, contour);
     const stop = this.playback.stopOf(contour);
     const { path } = this.playback;
-    const begin = stop === null ? [] : [words.contour.begins(clock(this.playback.begin(stop)))];
+    const begin = stop === null ? [] : [words.contour.begins(clock(this.playback.begin(stop), this.playback.total, longestTime(this.session.state)))];
     const why = stop === null || path === null ? '' : whyHere(this.session.state, path, contour, stop, (c) => this.playback.stopOf(c));
     return [name, [...facts, ...begin].join(' · '), why];
   }

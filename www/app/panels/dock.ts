@@ -9,7 +9,7 @@ import { seconds, short, unbroken } from '../core/format.js';
 import { doneSentence } from '../core/strings.js';
 import type { Session } from '../session/session.js';
 import { isRefusedOffBed } from '../session/off-bed.js';
-import { isOptimal, type State } from '../session/state.js';
+import { isOptimal, longestTime, type State } from '../session/state.js';
 import { words } from '../core/words/index.js';
 
 export interface DockActions {
@@ -56,7 +56,7 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
     disable(gcode, applying || (failsCheck(state) ? words.dock.fails : ''));
     setText(gcodeLabel, words.result.kinds[state.machine?.takes ?? 'gcode']);
     // A choice with which nothing can be planned is what to go back from; the drawing is not at fault.
-    undo.hidden = phase !== 'ready' || state.error === null || !session.canUndo;
+    undo.hidden = phase !== 'ready' || !session.canUndo;
     open.hidden = phase !== 'failed' && (phase !== 'ready' || !undo.hidden);
     const busy = phase === 'starting' || phase === 'reading' || state.applying;
     if (pressed?.hidden) root.querySelector<HTMLElement>('.dock-actions button:not([hidden])')?.focus();
@@ -82,7 +82,7 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
 /** The state in one sentence. */
 export function headline(state: State): string {
   const { phase, progress } = state;
-  const best = progress ? seconds(progress.summary.total_time) : null;
+  const best = progress ? seconds(progress.summary.total_time, longestTime(state)) : null;
   if (state.applying && phase !== 'reading') return words.dock.applying;
   switch (phase) {
     case 'starting': return words.dock.starting;

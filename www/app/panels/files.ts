@@ -13,25 +13,36 @@ export function fileList(queue: Queue): Node[] {
   const label = h('span', { class: 'number' });
   const opener = h('button', { type: 'button', class: 'quiet queue', hidden: true }, label, icon('down'));
   const list = h('div', { class: 'menu' });
-  const all = button(words.files.all, { class: 'small', onclick: () => {
+  const all = button(words.files.title, { class: 'small', onclick: () => {
     for (const { file, gcode, machine } of queue.items) if (gcode !== null) save(gcode, downloadName({ name: file.name, machine }, '.nc'), 'text/plain');
   } });
   const fill = () => {
     list.replaceChildren(
-      ...queue.items.map((item, i) => menuItem(item.file.name, about(item), item === queue.current, () => queue.openAt(i))),
+      ...queue.items.map((item, i) => {
+        const entry = menuItem(item.file.name, about(item), item === queue.current, () => queue.openAt(i));
+        entry.classList.toggle('warning', isUnplanned(item));
+        return entry;
+      }),
       h('div', { class: 'menu-foot' }, all));
-    disable(all, queue.items.some((item) => item.gcode !== null) ? '' : words.files.none);
+    // Those without a program are no surprise after the download.
+    const ready = queue.items.filter((item) => item.gcode !== null).length;
+    setText(all.querySelector('span')!, words.files.all(count(ready), count(queue.items.length)));
+    disable(all, ready > 0 ? '' : words.files.none);
   };
   const panel = popover(opener, words.files.title, list, fill);
   queue.on('change', (items) => {
     const done = items.filter((item) => item.state !== 'waiting' && item.state !== 'planning').length;
     opener.hidden = items.length === 0;
+    opener.classList.toggle('warning', items.some(isUnplanned));
     setText(label, words.files.done(count(done), count(items.length)));
     opener.setAttribute('aria-label', words.files.label(count(done), count(items.length)));
     if (panel.matches(':popover-open')) fill();
   });
   return [opener, panel];
 }
+
+/** Whether a file waits for a person. */
+const isUnplanned = ({ state }: Item) => state === 'question' || state === 'failed';
 
 function about({ state, seconds: job, sentence }: Item): string {
   switch (state) {

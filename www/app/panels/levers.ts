@@ -82,7 +82,7 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
   const width = numberInput({ unit: 'mm', least: 0.1, most: MOST.reach }, (value) => bridged({ width: value }));
   const span = numberInput({ unit: 'mm', least: 0.1, most: MOST.reach }, (value) => bridged({ reach: value }));
   const apart = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => bridged({ clearance: value }));
-  const most = numberInput({ unit: '', least: 2, most: 1e6, empty: 0, whole: true }, (value) => bridged({ most: value || null }));
+  const most = numberInput({ unit: '', least: 2, most: 1e6, empty: 0, whole: true, placeholder: words.machine.unlimited }, (value) => bridged({ most: value || null }));
   const cutLater = check(w.cutLater, (on) => bridged({ cut_later: on }));
   const strips = h('div', { class: 'stack' }, field(w.bridgeWidth, width.input, 'mm'), field(w.bridgeReach, span.input, 'mm'), field(w.chainClearance, apart.input, 'mm'), field(w.bridgeMost, most.input, ''), cutLater.root, h('p', { class: 'soft' }, w.aboutBridges));
   const shared = switched(w.shared, 'common_cuts', {});

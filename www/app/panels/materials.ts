@@ -10,7 +10,7 @@ import { field, select } from './section.js';
 const NONE = '';
 
 export function materials(session: Session): { choice: HTMLElement; root: HTMLElement; show(machine: MachineProfile): void } {
-  const chosen = select<string>((name) => session.setMaterial(name === NONE ? null : name));
+  const chosen = select<string>((name) => session.setMaterial(name === NONE ? null : name), { wide: true });
   const choice = field(words.machine.material, chosen.root);
   const name = h('input', { type: 'text', 'aria-label': words.machine.materialName, placeholder: words.machine.materialName, maxlength: 60 });
   const form = h('form', { class: 'row' }, name, h('button', { type: 'submit', class: 'small' }, words.machine.saveMaterial));

@@ -12,6 +12,7 @@ import { messageOf } from '../core/strings.js';
 import { isKerfwayError, type ProgramCheck } from 'kerfway';
 import { isRefusedOffBed } from '../session/off-bed.js';
 import type { Session } from '../session/session.js';
+import { longestTime } from '../session/state.js';
 import { words } from '../core/words/index.js';
 import { mayFetchWriters } from '../offline/first-visit.js';
 
@@ -45,7 +46,7 @@ export function preflight(session: Session, refuse: (why: string) => void): HTML
     root.classList.toggle('unchecked', unchecked !== undefined);
     if (unchecked !== undefined) verdict.replaceChildren(words.preflight.unchecked);
     else verdict.replaceChildren(icon(fails ? 'warning' : 'check'), fails ? reason : words.preflight.passes);
-    facts.textContent = report ? unbroken(factsOf(report).join('\u00a0· ')) : (refused ?? unchecked ?? '');
+    facts.textContent = report ? unbroken(factsOf(report, longestTime(session.state)).join('\u00a0· ')) : (refused ?? unchecked ?? '');
     const list = report?.problems ?? [];
     problems.replaceChildren(...list.slice(0, LISTED).map((p) => h('li', { class: p.severity }, p.count > 1 ? words.preflight.more(inChosenUnit(p.message), count(p.count - 1)) : inChosenUnit(p.message))));
     // What is not checked yet is checked while it is written, and is not handed out if it fails.
@@ -79,14 +80,14 @@ export function preflight(session: Session, refuse: (why: string) => void): HTML
   return root;
 }
 
-function factsOf(r: ProgramCheck): string[] {
+function factsOf(r: ProgramCheck, longest: number): string[] {
   const w = words.preflight;
   return [
     w.outlines(r.parts, count(r.parts)),
     r.passes === 1 ? w.once(r.contours, count(r.contours)) : r.passes === 0 ? w.uneven(count(r.contours)) : w.times(r.contours, count(r.contours), count(r.passes)),
     r.dark_rapids ? w.dark : w.lit,
     ...(r.fits_bed === null ? [] : [r.fits_bed ? w.onBed : w.offBed]),
-    `${metres(r.cut_length)}, ${seconds(r.seconds)}`,
+    `${metres(r.cut_length)}, ${seconds(r.seconds, longest)}`,
     w.read(r.dialect),
   ];
 }

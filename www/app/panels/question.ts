@@ -85,8 +85,8 @@ function damaged(session: Session, loaded: Loaded): HTMLElement[] {
     h('h2', { id: 'question' }, words.question.damaged(number, count(number))),
     h('p', {}, words.question.about(number)),
     h('div', { class: 'choices' },
-      button(words.question.skip, { class: 'primary', onclick: () => session.drawing.answer('damaged') }),
-      button(words.question.keep, { onclick: () => session.drawing.answer('damaged', { keepDamaged: true }) })),
+      button(words.question.skip(number), { class: 'primary', onclick: () => session.drawing.answer('damaged') }),
+      button(words.question.keep(number), { onclick: () => session.drawing.answer('damaged', { keepDamaged: true }) })),
   ];
 }
 

@@ -6,7 +6,7 @@ import { type OutputKind, PROVEN, type Summary } from 'kerfway';
 import type { Alternatives } from '../session/alternatives.js';
 import { isRefusedOffBed } from '../session/off-bed.js';
 import type { Session } from '../session/session.js';
-import type { State } from '../session/state.js';
+import { longestTime, type State } from '../session/state.js';
 import { messageOf } from '../core/strings.js';
 import type { Theme } from '../core/theme.js';
 import { chart } from './chart.js';
@@ -79,16 +79,18 @@ export function resultPanel(session: Session, theme: Theme, { download, saveProj
       // Compared with what a shop would cut otherwise. Nobody would cut in the order of the drawing, which saves more on paper.
       const gain = usual.total_time - now.total_time;
       const more = before.total_time - now.total_time;
-      setText(saved, gain >= 0 ? words.result.saved(seconds(gain)) : words.result.longer(seconds(-gain)));
+      const none = seconds(Math.abs(gain)) === seconds(0);
+      setText(saved, none ? words.result.nothing(state.phase !== 'done') : gain > 0 ? words.result.saved(seconds(gain)) : words.result.longer(seconds(-gain)));
       // A long difference looks like the times that it is the difference of.
       const apart = seconds(Math.abs(more), Math.abs(more) < MINUTE ? 0 : before.total_time);
-      setText(of, unbroken(words.result.of(percent(Math.abs(gain) / usual.total_time), more >= 0 ? words.result.less(apart) : words.result.more(apart))));
+      const order = apart === seconds(0) ? words.result.same : more > 0 ? words.result.less(apart) : words.result.more(apart);
+      setText(of, unbroken(none ? words.result.asLong(order) : words.result.of(percent(Math.abs(gain) / usual.total_time), order)));
     }
-    const longest = Math.max(before?.total_time ?? 0, state.baselines?.greedy.total_time ?? 0, now.total_time);
+    const longest = longestTime(state);
     rows[0]!.show(before, longest);
     rows[1]!.show(state.baselines?.greedy, longest);
     rows[2]!.show(now, longest);
-    showParts(parts, now);
+    showParts(parts, now, longest);
   };
   const soon = () => {
     // Nobody reads numbers that change more than ten times a second.
@@ -128,23 +130,25 @@ function leftToGain({ gap, total_time, lower_bound }: Summary): string {
   return gap <= PROVEN ? words.result.nothingLeft : words.result.atMost(seconds(total_time - lower_bound), percent((total_time - lower_bound) / total_time));
 }
 
-function showParts(list: HTMLElement, s: Summary): void {
+function showParts(list: HTMLElement, s: Summary, longest: number): void {
+  // Less than a minute needs no hours.
+  const time = (t: number) => seconds(t, t < MINUTE ? 0 : longest);
   const rows: [name: string, term: string, value: string][] = [
-    ['cut', words.result.cut, `${seconds(s.cut_time)} · ${metres(s.cut_length)}`],
-    ['pierce', words.result.pierce, `${seconds(s.pierce_time)} · ${words.result.piercings(s.pierces, count(s.pierces))}`],
+    ['cut', words.result.cut, `${time(s.cut_time)} · ${metres(s.cut_length)}`],
+    ['pierce', words.result.pierce, `${time(s.pierce_time)} · ${words.result.piercings(s.pierces, count(s.pierces))}`],
   ];
   if (s.lead_length) rows.push(['leads', words.result.leads, metres(s.lead_length)]);
-  if (s.joints) rows.push(['joints', words.result.joints, [count(s.joints), s.joint_time ? seconds(s.joint_time) : ''].filter((t) => t !== '').join(' · ')]);
-  if (s.skeleton_cuts) rows.push(['skeleton-cuts', words.result.skeleton, `${seconds(s.skeleton_time ?? 0)} · ${metres(s.skeleton_length ?? 0)} · ${words.result.skeletonCuts(s.skeleton_cuts, count(s.skeleton_cuts))}`]);
+  if (s.joints) rows.push(['joints', words.result.joints, [count(s.joints), s.joint_time ? time(s.joint_time) : ''].filter((t) => t !== '').join(' · ')]);
+  if (s.skeleton_cuts) rows.push(['skeleton-cuts', words.result.skeleton, `${time(s.skeleton_time ?? 0)} · ${metres(s.skeleton_length ?? 0)} · ${words.result.skeletonCuts(s.skeleton_cuts, count(s.skeleton_cuts))}`]);
   if (s.lifts) rows.push(['lifts', words.tips.lifts, count(s.lifts)]);
   if (s.detours) rows.push(['detours', words.tips.detours, count(s.detours)]);
   if (s.crossings) rows.push(['crossings', words.tips.crossings, count(s.crossings)]);
   if (s.loops) rows.push(['loops', words.corners.loops, `${metres(s.loop_length ?? 0)} · ${count(s.loops)}`]);
   if (s.rounded_corners) rows.push(['rounded', words.corners.rounded, `${millimetres(s.corner_deviation ?? 0)} · ${count(s.rounded_corners)}`]);
-  if (s.waits) rows.push(['waits', words.heat.waits, `${seconds(s.wait_time ?? 0)} · ${count(s.waits)}`]);
+  if (s.waits) rows.push(['waits', words.heat.waits, `${time(s.wait_time ?? 0)} · ${count(s.waits)}`]);
   if (s.hot_pairs) rows.push(['hot-pairs', words.heat.hotPairs, count(s.hot_pairs)]);
-  if (s.pre_cuts > 0) rows.push(['pre-cuts', words.result.preCuts, `${seconds(s.pre_cut_time)} · ${count(s.pre_cuts)}`]);
-  if (s.macro_time > 0) rows.push(['corners', words.result.corners, seconds(s.macro_time)]);
+  if (s.pre_cuts > 0) rows.push(['pre-cuts', words.result.preCuts, `${time(s.pre_cut_time)} · ${count(s.pre_cuts)}`]);
+  if (s.macro_time > 0) rows.push(['corners', words.result.corners, time(s.macro_time)]);
   rows.push([s.gap === null ? 'gap' : 'gap bound', words.result.gap, leftToGain(s)]);
   const text = JSON.stringify(rows);
   if (list.dataset.shown === text) return;

@@ -10,7 +10,7 @@ import { cutLength } from '../stage/shapes.js';
 import type { Session } from '../session/session.js';
 import type { Playback } from '../playback/playback.js';
 import { pathContours, ruleOf } from '../session/rules.js';
-import type { Phase } from '../session/state.js';
+import { longestTime, type Phase } from '../session/state.js';
 import { RowDrag } from './row-drag.js';
 import { words } from '../core/words/index.js';
 
@@ -122,7 +122,7 @@ export class OrderTable {
     const row = h('div', { role: 'row', class: `order-row${contour === this.selected ? ' selected' : ''}${fixed ? ' fixed' : ''}`, 'aria-rowindex': stop + 2, 'data-stop': stop },
       h('span', { role: 'cell' }, h('button', { type: 'button', class: 'row-button number', 'aria-label': words.table.show(stop + 1), onclick: () => this.actions.select(contour) }, count(stop + 1))),
       h('span', { role: 'cell' }, this.drag.handle(words.table.move(stop + 1), stop)),
-      cell(info?.layer ?? ''), cell(info ? millimetres(cutLength(path, stop, info.length)) : '', 'number'), cell(clock(this.playback.begin(stop)), 'number'),
+      cell(info?.layer ?? ''), cell(info ? millimetres(cutLength(path, stop, info.length)) : '', 'number'), cell(clock(this.playback.begin(stop), this.playback.total, longestTime(this.session.state)), 'number'),
       cell(place(path.points[stop * 4]!, path.points[stop * 4 + 1]!), 'number'),
       cell(info?.closed ? (path.reversed[stop] ? words.table.reversed : words.table.asDrawn) : words.table.open));
     row.style.transform = `translateY(${stop * ROW}px)`;

@@ -41,6 +41,8 @@ export function tolerances(session: Session, preview: Preview): HTMLElement {
   apply.type = 'submit';
   const back = button(words.drawing.cancel, { class: 'small', onclick: () => preview.clear() });
   const choice = h('div', { class: 'row', hidden: true }, apply, back);
+  /** What would change, and the buttons, are below the fields, where the panel may end. */
+  const show = () => choice.scrollIntoView({ block: 'nearest' });
   const chosen = (key: Key) => session.state.load[key] ?? TOLERANCES[key].usual;
   const keys = Object.keys(TOLERANCES) as Key[];
   const rows = keys.map((key) => tolerance(TOLERANCES[key], (mm) => {
@@ -56,6 +58,7 @@ export function tolerances(session: Session, preview: Preview): HTMLElement {
       setText(outcome, words.drawing.checking);
       preview.request({ ...withoutRules(session.state.load), joinTolerance: chosen('joinTolerance'), ...draft });
     }
+    show();
   }));
   const reset = () => {
     for (const [i, key] of keys.entries()) {
@@ -75,7 +78,10 @@ export function tolerances(session: Session, preview: Preview): HTMLElement {
   });
   preview.on('comparison', (comparison) => {
     if (comparison === null) reset();
-    else setText(outcome, inWords(comparison));
+    else {
+      setText(outcome, inWords(comparison));
+      show();
+    }
   });
   preview.on('refused', (sentence) => setText(outcome, sentence));
   session.store.on('loaded', reset);

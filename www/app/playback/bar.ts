@@ -10,10 +10,11 @@ const STEPS = 10_000;
 
 const SPEEDS: readonly [label: string, speed: number | null][] = [[words.playback.whole, null], ['1×', 1], ['5×', 5], ['20×', 20], ['100×', 100]];
 
-export function playbackBar(playback: Playback): Node[] {
+export function playbackBar(playback: Playback, longest: () => number): Node[] {
   const play = button(words.playback.play, { icon: 'play', iconOnly: true, class: 'quiet', onclick: () => playback.toggle() });
   const slider = h('input', { type: 'range', min: 0, max: STEPS, value: STEPS, 'aria-label': words.playback.moment });
-  const now = h('output', { class: 'number now' }, '0:00.0');
+  // Not an output, which would be read aloud with every frame: the slider says the time when it is asked for.
+  const now = h('span', { class: 'number now' });
   const whole = h('span', { class: 'number soft whole' });
   const speed = h('select', { 'aria-label': words.playback.speed }, ...SPEEDS.map(([label]) => h('option', {}, label)));
   slider.addEventListener('input', () => {
@@ -26,15 +27,16 @@ export function playbackBar(playback: Playback): Node[] {
   const show = () => {
     const { time, total } = playback;
     const ready = total > 0;
+    const written = (s: number) => clock(s, total, longest());
     play.disabled = slider.disabled = !ready;
     if (ready !== wasReady) showState();
     wasReady = ready;
     const at = ready ? Math.round((time / total) * STEPS) : STEPS;
     if (slider.valueAsNumber !== at) slider.value = String(at);
     slider.style.setProperty('--share', String(at / STEPS));
-    slider.setAttribute('aria-valuetext', words.playback.at(clock(time), clock(total), playback.stop + 1, playback.stops));
-    setText(now, clock(time));
-    setText(whole, `/ ${clock(total)}`);
+    slider.setAttribute('aria-valuetext', words.playback.at(written(time), written(total), playback.stop + 1, playback.stops));
+    setText(now, written(time));
+    setText(whole, `/ ${written(total)}`);
   };
   const showState = () => {
     const label = playback.playing ? words.playback.pauseKey : words.playback.playKey;

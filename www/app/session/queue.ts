@@ -39,7 +39,7 @@ export class Queue extends Emitter<Events> {
   private all: readonly Item[] = [];
   private opened: Item | null = null;
   /** Whether the drawing of the session is that of the open item: before, it is still the one before it. */
-  private isRead = false;
+  private isShown = false;
   /** The item whose drawing the session has. It stays open where the next one cannot be used. */
   private shown: Item | null = null;
   /** The openings of items: an item that is opened again has an older one, which says nothing any more. */
@@ -64,7 +64,7 @@ export class Queue extends Emitter<Events> {
     const [file] = files;
     if (file === undefined) return;
     this.all = files.length < 2 ? [] : files.map((file) => ({ file, state: 'waiting', seconds: null, gcode: null, machine: null, load: null, sentence: null }));
-    [this.opened, this.isRead, this.shown] = [null, false, null];
+    [this.opened, this.isShown, this.shown] = [null, false, null];
     this.emit('change', this.all);
     const [first] = this.all;
     if (first === undefined) void this.open(file, null);
@@ -81,8 +81,8 @@ export class Queue extends Emitter<Events> {
   leave(): void {
     const item = this.opened;
     if (item?.state === 'planning') item.state = 'waiting';
-    if (item !== null && this.isRead) item.load = this.session.state.load;
-    [this.opened, this.isRead, this.shown] = [null, false, null];
+    if (item !== null && this.isShown) item.load = this.session.state.load;
+    [this.opened, this.isShown, this.shown] = [null, false, null];
     this.emit('change', this.all);
   }
 
@@ -96,20 +96,20 @@ export class Queue extends Emitter<Events> {
     void this.open(item.file, item.load).then((refusal) => {
       if (!isLatest() || this.opened !== item) return;
       if (refusal === null) {
-        [this.isRead, this.shown] = [true, item];
+        [this.isShown, this.shown] = [true, item];
         void this.follow();
         return;
       }
       this.end(item, 'failed', { sentence: refusal });
       if (this.opened !== item || this.shown === null) return;
-      [this.opened, this.isRead] = [this.shown, true];
+      [this.opened, this.isShown] = [this.shown, true];
       this.emit('change', this.all);
     });
   }
 
   private async follow(): Promise<void> {
     const { opened: item, session: { state } } = this;
-    if (item === null || !this.isRead) return;
+    if (item === null || !this.isShown) return;
     if (state.phase === 'question' && item.state === 'planning') this.end(item, 'question');
     else if (state.phase === 'ready' && item.state === 'planning') this.end(item, 'failed', { sentence: state.error ?? words.files.nothing });
     else if (state.phase === 'planning' && item.state !== 'planning') {

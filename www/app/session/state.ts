@@ -91,6 +91,11 @@ export function initialState(): State {
   };
 }
 
+/** The longest of the job times that are compared, s: all of them are written in its form. */
+export function longestTime({ baselines, progress }: PlanState): number {
+  return Math.max(progress?.summary.total_time ?? 0, baselines?.drawing.total_time ?? 0, baselines?.greedy.total_time ?? 0);
+}
+
 /** Whether no plan of the job takes less time than this one, proven. */
 export function isOptimal({ progress }: PlanState): boolean {
   const gap = progress?.summary.gap ?? null;

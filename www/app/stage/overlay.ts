@@ -78,8 +78,8 @@ export function drawBed(pen: Pen, view: View, palette: Palette, bed: readonly nu
   pen.textBaseline = 'top';
   pen.textAlign = 'right';
   const text = words.stage.bed(extent(bed[2]! - bed[0]!, bed[3]! - bed[1]!));
-  // Below, where no contours are, unless it would meet the width of the sheet there.
-  if (x1 - x0 > ROOM * pen.measureText(text).width) label(pen, fits ? palette.text : palette.red, palette.ground, text, x1, y1 + 4 * r, r);
+  // Below, where no contours are, unless it would meet the width of the sheet there or be cut off.
+  if (x1 <= pen.canvas.width && x1 - x0 > ROOM * pen.measureText(text).width) label(pen, fits ? palette.text : palette.red, palette.ground, text, x1, y1 + 4 * r, r);
   pen.textAlign = 'start';
   pen.textBaseline = 'alphabetic';
 }

@@ -12,13 +12,13 @@ export type Frame = Pick<View, 'scale' | 'x' | 'y'>;
 /** Arcs shorter than this many pixels are drawn as a line, because nobody sees the difference. */
 const ARC_PIXELS = 0.7;
 
-/** Adds a whole chain. */
-export function traceChain(pen: Pen, frame: Frame, shapes: Shapes, chain: number): void {
+/** Adds a whole chain, `joined` to what was added before by a line. */
+export function traceChain(pen: Pen, frame: Frame, shapes: Shapes, chain: number, joined = false): void {
   const first = shapes.offsets[chain]!, end = shapes.offsets[chain + 1]!;
   if (end <= first) return;
   const s = shapes.segments;
   const i = first * STRIDE;
-  pen.moveTo(frame.x + s[i]! * frame.scale, frame.y - s[i + 1]! * frame.scale);
+  pen[joined ? 'lineTo' : 'moveTo'](frame.x + s[i]! * frame.scale, frame.y - s[i + 1]! * frame.scale);
   for (let e = first; e < end; e += 1) traceElement(pen, frame, shapes, e, 0, 1);
 }
 

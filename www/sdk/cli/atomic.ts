@@ -1,7 +1,8 @@
 /**
  * Writes output files atomically. A G-code program that ends in the middle can leave the beam on, so no file is written in
  * place: the bytes go to a temporary file in the same folder, are flushed to the disk, and then the file is renamed. All
- * outputs of a drawing are prepared before the first is renamed, so a failure leaves all files as they were.
+ * outputs of a drawing are prepared before the first is renamed, so a failure leaves all files as they were. While several are
+ * renamed, no other program renames files there.
  *
  * Files are written by synchronous calls, so that a signal is handled before or after, when all temporary files are known.
  */
@@ -11,6 +12,7 @@ import {
 } from 'node:fs';
 import { dirname } from 'node:path';
 import { send, unwritable } from './io.js';
+import { locked } from './lock.js';
 import { STANDARD_OUTPUT, targetOf, type Target } from './target.js';
 import { temporaryBeside, turn, withTemporaries } from './temporary.js';
 
@@ -47,9 +49,11 @@ export async function writeAll(writings: readonly Writing[]): Promise<void> {
         out = stream.out;
         await send(out, stream.data);
       }
-      // A pending signal ends the program here, before any file has been replaced.
-      await turn();
-      rename(prepared, (current) => (out = current));
+      await locked(prepared.length > 1 ? prepared.map(({ target }) => dirname(target.path)) : [], async () => {
+        // A pending signal ends the program here, before any file has been replaced.
+        await turn();
+        rename(prepared, (current) => (out = current));
+      });
     } catch (error) {
       throw unwritable(out, error, 'No file was changed. ');
     }

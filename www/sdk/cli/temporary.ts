@@ -21,8 +21,23 @@ export function writing(): boolean {
 /** A new name in the folder of a file. It is hidden and does not match patterns of drawings. */
 export function temporaryBeside(path: string): string {
   const name = join(dirname(path), `.kerfway-${randomBytes(8).toString('hex')}.tmp`);
-  files.add(name);
+  track(name);
   return name;
+}
+
+/** From now on a file is removed when the program ends. */
+export function track(file: string): void {
+  files.add(file);
+}
+
+/** Removes a temporary file, if it is there. */
+export function remove(file: string): void {
+  try {
+    rmSync(file, { force: true });
+  } catch {
+    // The folder was removed, and the file with it.
+  }
+  files.delete(file);
 }
 
 /** Runs work that makes temporary files, and removes those that are left. */
@@ -46,14 +61,7 @@ export async function turn(): Promise<void> {
 }
 
 function removeAll(): void {
-  for (const file of files) {
-    try {
-      rmSync(file, { force: true });
-    } catch {
-      // The folder was removed, and the file with it.
-    }
-  }
-  files.clear();
+  files.forEach(remove);
 }
 
 function listen(): void {

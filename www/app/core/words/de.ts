@@ -171,7 +171,7 @@ export const de: Words = {
   },
 
   files: {
-    none: 'Noch ist kein Programm fertig.', title: 'Dateien', all: 'G-Code aller Dateien', done: (n, of) => `${n} von ${of}`, label: (n, of) => `Dateien: ${n} von ${of} fertig`,
+    none: 'Noch ist kein Programm fertig.', title: 'Dateien', all: (n, of) => (n === of ? 'G-Code aller Dateien' : `G-Code von ${n} der ${of} Dateien`), done: (n, of) => `${n} von ${of}`, label: (n, of) => `Dateien: ${n} von ${of} fertig`,
     waiting: 'Wartet', planning: 'Wird geplant', question: 'Braucht eine Antwort von Ihnen', failed: 'Kann nicht geplant werden', planned: 'Geplant',
     plannedIn: (time) => `Geplant: ${time}`, nothing: 'In dieser Datei gibt es nichts zu schneiden.',
   },
@@ -240,7 +240,7 @@ export const de: Words = {
     size: 'Wie groß ist diese Zeichnung?', in: (unit) => `als ${unit}`, dpi: (dpi) => `in Pixeln, ${dpi} pro Zoll`,
     damaged: (n, w) => `${counted(n, w, 'Element', 'Elemente')} in dieser Datei ${n === 1 ? 'ist' : 'sind'} beschädigt`,
     about: (n) => (n === 1 ? 'Es liegt neben einer beschädigten Stelle der Datei, seine Form kann falsch sein. Überspringen Sie es, oder behalten und prüfen Sie es.' : 'Sie liegen neben einer beschädigten Stelle der Datei, ihre Form kann falsch sein. Überspringen Sie sie, oder behalten und prüfen Sie jedes.'),
-    skip: 'Überspringen', keep: 'Behalten',
+    skip: () => 'Überspringen', keep: () => 'Behalten',
     border: 'Wird das Rechteck um alles geschnitten?', ignoreBorder: 'Nein, es ist die Tafel: ignorieren', keepBorder: 'Ja, schneiden',
   },
 
@@ -356,8 +356,8 @@ export const de: Words = {
     kinds: { gcode: 'G-Code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimentell)', remainder: 'Rest der Tafel (DXF)' },
     short: { now: 'Jetzt', greedy: 'Nächste', drawing: 'Gezeichnet' }, beside: 'Neben dem Plan zeigen', copy: 'Kopieren', copyHint: 'Den G-Code in die Zwischenablage kopieren',
     report: 'Bericht', reportHint: 'Eine Seite für den Bediener: Bild, Zeiten, Teile, Reihenfolge, Befunde', project: 'Projekt', projectHint: 'Das Projekt speichern: Zeichnung, Entscheidungen, Maschine und Plan (Strg S)',
-    saved: (time) => `${time} gespart`, longer: (time) => `${time} länger`, of: (share, order) => `${share} des Auftrags, wie ihn die meisten Programme schneiden (nächste zuerst); ${order}`,
-    less: (time) => `${time} weniger als gezeichnet`, more: (time) => `${time} mehr als gezeichnet`,
+    nothing: (searching) => (searching ? 'Noch keine Zeit gespart' : 'Keine Zeit gespart'), asLong: (order) => `So lange, wie die meisten Programme schneiden (nächste zuerst); ${order}`, saved: (time) => `${time} gespart`, longer: (time) => `${time} länger`, of: (share, order) => `${share} des Auftrags, wie ihn die meisten Programme schneiden (nächste zuerst); ${order}`,
+    same: 'so lange wie gezeichnet', less: (time) => `${time} weniger als gezeichnet`, more: (time) => `${time} mehr als gezeichnet`,
     cut: 'Schneiden', pierce: 'Einstechen', piercings: (n, w) => counted(n, w, 'Einstich', 'Einstiche'), preCuts: 'Vorschnitte', leads: 'Anfahrten', joints: 'Mikrostege', skeleton: 'Restgitter', skeletonCuts: (n, w) => counted(n, w, 'Schnitt', 'Schnitte'), corners: 'Ecken', gap: 'Noch zu gewinnen', atMost: (time, share) => `höchstens ${time} (${share})`, noBound: 'noch keine Schranke', nothingLeft: 'nichts: dieser Weg ist optimal',
     chart: 'Auftragszeit während der Suche', chartAxis: 'Auftragszeit während der Suche', chartAbove: (time) => `wie gezeichnet ${time} ↑`, chartNone: 'Auftragszeit während der Suche: noch keine Werte.',
     chartWords: (first, last, time) => `Auftragszeit während der Suche: von ${first} auf ${last} in ${time}.`,

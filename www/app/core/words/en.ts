@@ -168,7 +168,7 @@ export const en = {
   },
 
   files: {
-    none: 'No program is ready yet.', title: 'Files', all: 'G-code of all files', done: (n: string, of: string) => `${n} of ${of}`, label: (n: string, of: string) => `Files: ${n} of ${of} done`,
+    none: 'No program is ready yet.', title: 'Files', all: (n: string, of: string) => (n === of ? 'G-code of all files' : `G-code of ${n} of ${of} files`), done: (n: string, of: string) => `${n} of ${of}`, label: (n: string, of: string) => `Files: ${n} of ${of} done`,
     waiting: 'Waiting', planning: 'Planning', question: 'Needs an answer from you', failed: 'Cannot be planned', planned: 'Planned',
     plannedIn: (time: string) => `Planned: ${time}`, nothing: 'There is nothing to cut in this file.',
   },
@@ -237,7 +237,7 @@ export const en = {
     size: 'How large is this drawing?', in: (unit: string) => `in ${unit}`, dpi: (dpi: number) => `in pixels, ${dpi} to the inch`,
     damaged: (n: number, written: string) => `${counted(n, written, 'entity', 'entities')} in this file ${n === 1 ? 'is' : 'are'} damaged`,
     about: (n: number): string => (n === 1 ? 'It is next to a damaged place in the file, so its shape may be wrong. Skip it, or keep and check it.' : 'They are next to a damaged place in the file, so their shape may be wrong. Skip them, or keep them and check each one.'),
-    skip: 'Skip them', keep: 'Keep them',
+    skip: (n: number): string => (n === 1 ? 'Skip it' : 'Skip them'), keep: (n: number): string => (n === 1 ? 'Keep it' : 'Keep them'),
     border: 'Is the rectangle around everything a cut?', ignoreBorder: 'No, it is the sheet: ignore it', keepBorder: 'Yes, cut it',
   },
 
@@ -353,8 +353,8 @@ export const en = {
     kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimental)', remainder: 'Remainder (DXF)' },
     short: { now: 'Now', greedy: 'Nearest', drawing: 'As drawn' }, beside: 'Show side by side with the plan', copy: 'Copy', copyHint: 'Copy the G-code to the clipboard',
     report: 'Report', reportHint: 'One page for the operator: picture, times, parts, order, findings', project: 'Project', projectHint: 'Save the project: drawing, decisions, machine and plan (Ctrl S)',
-    saved: (time: string) => `${time} saved`, longer: (time: string) => `${time} longer`, of: (share: string, order: string) => `${share} of the job as most programs cut it, nearest first; ${order}`,
-    less: (time: string) => `${time} less than as drawn`, more: (time: string) => `${time} more than as drawn`,
+    nothing: (searching: boolean): string => (searching ? 'No time saved yet' : 'No time saved'), asLong: (order: string) => `As long as most programs cut it, nearest first; ${order}`, saved: (time: string) => `${time} saved`, longer: (time: string) => `${time} longer`, of: (share: string, order: string) => `${share} of the job as most programs cut it, nearest first; ${order}`,
+    same: 'as long as drawn', less: (time: string) => `${time} less than as drawn`, more: (time: string) => `${time} more than as drawn`,
     cut: 'Cut', pierce: 'Pierce', piercings: (n: number, written: string) => counted(n, written, 'piercing'), preCuts: 'Pre-cuts', leads: 'Leads', joints: 'Micro-joints', skeleton: 'Skeleton', skeletonCuts: (n: number, written: string) => counted(n, written, 'cut'), corners: 'Corners', gap: 'Left to gain', atMost: (time: string, share: string) => `at most ${time} (${share})`, noBound: 'no bound yet', nothingLeft: 'nothing: this path is optimal',
     chart: 'Job time while searching', chartAxis: 'Job time while searching', chartAbove: (time: string) => `as drawn ${time} ↑`, chartNone: 'Job time while searching: no values yet.',
     chartWords: (first: string, last: string, time: string) => `Job time while searching: from ${first} to ${last} in ${time}.`,

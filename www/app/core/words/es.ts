@@ -171,7 +171,7 @@ export const es: Words = {
   },
 
   files: {
-    none: 'Aún no hay ningún programa listo.', title: 'Archivos', all: 'G-code de todos los archivos', done: (n, of) => `${n} de ${of}`, label: (n, of) => `Archivos: ${n} de ${of} listos`,
+    none: 'Aún no hay ningún programa listo.', title: 'Archivos', all: (n, of) => (n === of ? 'G-code de todos los archivos' : `G-code de ${n} de ${of} archivos`), done: (n, of) => `${n} de ${of}`, label: (n, of) => `Archivos: ${n} de ${of} listos`,
     waiting: 'En espera', planning: 'Planificando', question: 'Necesita una respuesta suya', failed: 'No se puede planificar', planned: 'Planificado',
     plannedIn: (time) => `Planificado: ${time}`, nothing: 'No hay nada que cortar en este archivo.',
   },
@@ -240,7 +240,7 @@ export const es: Words = {
     size: '¿Qué tamaño tiene este dibujo?', in: (unit) => `en ${unit}`, dpi: (dpi) => `en píxeles, ${dpi} por pulgada`,
     damaged: (n, w) => `${counted(n, w, 'entidad', 'entidades')} de este archivo ${n === 1 ? 'está dañada' : 'están dañadas'}`,
     about: (n) => (n === 1 ? 'Está junto a un lugar dañado del archivo, así que su forma puede ser errónea. Omítala, o consérvela y compruébela.' : 'Están junto a un lugar dañado del archivo, así que su forma puede ser errónea. Omítalas, o consérvelas y compruebe cada una.'),
-    skip: 'Omitirlas', keep: 'Conservarlas',
+    skip: (n) => (n === 1 ? 'Omitirla' : 'Omitirlas'), keep: (n) => (n === 1 ? 'Conservarla' : 'Conservarlas'),
     border: '¿El rectángulo que rodea todo se corta?', ignoreBorder: 'No, es la chapa: ignorarlo', keepBorder: 'Sí, cortarlo',
   },
 
@@ -356,8 +356,8 @@ export const es: Words = {
     kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimental)', remainder: 'Resto de la chapa (DXF)' },
     short: { now: 'Ahora', greedy: 'Cercano', drawing: 'Dibujado' }, beside: 'Mostrar junto al plan', copy: 'Copiar', copyHint: 'Copiar el G-code al portapapeles',
     report: 'Informe', reportHint: 'Una página para el operador: imagen, tiempos, piezas, orden, observaciones', project: 'Proyecto', projectHint: 'Guardar el proyecto: dibujo, decisiones, máquina y plan (Ctrl S)',
-    saved: (time) => `${time} ahorrados`, longer: (time) => `${time} más`, of: (share, order) => `${share} del trabajo tal como lo corta la mayoría de programas (el más cercano primero); ${order}`,
-    less: (time) => `${time} menos que como está dibujado`, more: (time) => `${time} más que como está dibujado`,
+    nothing: (searching) => (searching ? 'Aún sin tiempo ahorrado' : 'Sin tiempo ahorrado'), asLong: (order) => `Tanto como lo corta la mayoría de programas (el más cercano primero); ${order}`, saved: (time) => `${time} ahorrados`, longer: (time) => `${time} más`, of: (share, order) => `${share} del trabajo tal como lo corta la mayoría de programas (el más cercano primero); ${order}`,
+    same: 'tanto como está dibujado', less: (time) => `${time} menos que como está dibujado`, more: (time) => `${time} más que como está dibujado`,
     cut: 'Corte', pierce: 'Perforación', piercings: (n, w) => counted(n, w, 'perforación', 'perforaciones'), preCuts: 'Precortes', leads: 'Entradas', joints: 'Microuniones', skeleton: 'Esqueleto', skeletonCuts: (n, w) => counted(n, w, 'corte', 'cortes'), corners: 'Esquinas', gap: 'Por ganar', atMost: (time, share) => `como mucho ${time} (${share})`, noBound: 'aún sin cota', nothingLeft: 'nada: este recorrido es óptimo',
     chart: 'Tiempo del trabajo durante la búsqueda', chartAxis: 'Tiempo del trabajo durante la búsqueda', chartAbove: (time) => `como está dibujado ${time} ↑`, chartNone: 'Tiempo del trabajo durante la búsqueda: aún sin valores.',
     chartWords: (first, last, time) => `Tiempo del trabajo durante la búsqueda: de ${first} a ${last} en ${time}.`,

@@ -168,7 +168,7 @@ export const ja: Words = {
   },
 
   files: {
-    none: 'プログラムはまだできていません。', title: 'ファイル', all: 'すべてのファイルの G コード', done: (n, of) => `${n} / ${of}`, label: (n, of) => `ファイル：${of} 件中 ${n} 件完了`,
+    none: 'プログラムはまだできていません。', title: 'ファイル', all: (n, of) => (n === of ? 'すべてのファイルの G コード' : `${of} 件中 ${n} 件の G コード`), done: (n, of) => `${n} / ${of}`, label: (n, of) => `ファイル：${of} 件中 ${n} 件完了`,
     waiting: '待機中', planning: '計画中', question: '回答が必要です', failed: '計画できません', planned: '計画済み',
     plannedIn: (time) => `計画済み：${time}`, nothing: 'このファイルには切断するものがありません。',
   },
@@ -237,7 +237,7 @@ export const ja: Words = {
     size: 'この図面の大きさは？', in: (unit) => `${unit}として`, dpi: (dpi) => `1\u00a0インチあたり ${dpi}\u00a0ピクセル`,
     damaged: (_n, w) => `このファイルの図形 ${w} 個が破損しています`,
     about: () => 'ファイルの破損箇所の隣にあり、形が正しくない可能性があります。除外するか、残して 1 つずつ確認してください。',
-    skip: '除外する', keep: '残す',
+    skip: () => '除外する', keep: () => '残す',
     border: '全体を囲む長方形は切断しますか？', ignoreBorder: 'いいえ、板の縁です：無視', keepBorder: 'はい、切断します',
   },
 
@@ -353,8 +353,8 @@ export const ja: Words = {
     kinds: { gcode: 'G コード', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: '計画（JSON）', lbrn2: 'LightBurn', rd: 'Ruida（試験的）', remainder: '残りの板（DXF）' },
     short: { now: '現在', greedy: '近い順', drawing: '図面順' }, beside: '計画と並べて表示', copy: 'コピー', copyHint: 'G コードをクリップボードにコピー',
     report: '報告書', reportHint: '作業者のための 1 ページ：図、時間、部品、順番、指摘', project: 'プロジェクト', projectHint: 'プロジェクトを保存：図面、決定、機械、計画（Ctrl S）',
-    saved: (time) => `${time} 短縮`, longer: (time) => `${time} 増加`, of: (share, order) => `多くのプログラムの切り方（近い順）の ${share}、${order}`,
-    less: (time) => `図面の順より ${time} 短い`, more: (time) => `図面の順より ${time} 長い`,
+    nothing: (searching) => (searching ? 'まだ短縮なし' : '短縮なし'), asLong: (order) => `多くのプログラムの切り方（近い順）と同じ時間、${order}`, saved: (time) => `${time} 短縮`, longer: (time) => `${time} 増加`, of: (share, order) => `多くのプログラムの切り方（近い順）の ${share}、${order}`,
+    same: '図面の順と同じ時間', less: (time) => `図面の順より ${time} 短い`, more: (time) => `図面の順より ${time} 長い`,
     cut: '切断', pierce: 'ピアス', piercings: (_n, w) => `ピアス ${w} 回`, preCuts: '予備切断', leads: 'リード', joints: 'ミクロジョイント', skeleton: '残材の切断', skeletonCuts: (_n, w) => `${w} 本`, corners: '角', gap: '残りの余地', atMost: (time, share) => `最大 ${time}（${share}）`, noBound: '下界はまだありません', nothingLeft: 'なし：この経路は最適です',
     chart: '探索中のジョブ時間', chartAxis: '探索中のジョブ時間', chartAbove: (time) => `図面の順 ${time} ↑`, chartNone: '探索中のジョブ時間：まだ値がありません。',
     chartWords: (first, last, time) => `探索中のジョブ時間：${time} で ${first} から ${last} になりました。`,

@@ -168,7 +168,7 @@ export const zh: Words = {
   },
 
   files: {
-    none: '还没有可用的程序。', title: '文件', all: '所有文件的 G 代码', done: (n, of) => `${n} / ${of}`, label: (n, of) => `文件：${of} 个中已完成 ${n} 个`,
+    none: '还没有可用的程序。', title: '文件', all: (n, of) => (n === of ? '所有文件的 G 代码' : `${of} 个文件中 ${n} 个的 G 代码`), done: (n, of) => `${n} / ${of}`, label: (n, of) => `文件：${of} 个中已完成 ${n} 个`,
     waiting: '等待中', planning: '规划中', question: '需要您的回答', failed: '无法规划', planned: '已规划',
     plannedIn: (time) => `已规划：${time}`, nothing: '这个文件里没有可切割的内容。',
   },
@@ -237,7 +237,7 @@ export const zh: Words = {
     size: '这张图有多大？', in: (unit) => `以${unit}为单位`, dpi: (dpi) => `每英寸 ${dpi}\u00a0像素`,
     damaged: (_n, w) => `此文件中有 ${w} 个图元损坏`,
     about: () => '它们位于文件的损坏处旁边，形状可能有误。请跳过它们，或保留并逐个检查。',
-    skip: '跳过', keep: '保留',
+    skip: () => '跳过', keep: () => '保留',
     border: '最外面的矩形要切割吗？', ignoreBorder: '不，它是板材：忽略', keepBorder: '是，切割',
   },
 
@@ -353,8 +353,8 @@ export const zh: Words = {
     kinds: { gcode: 'G 代码', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: '方案（JSON）', lbrn2: 'LightBurn', rd: 'Ruida（试验）', remainder: '剩余板料（DXF）' },
     short: { now: '现在', greedy: '最近', drawing: '按图' }, beside: '与方案并排显示', copy: '复制', copyHint: '将 G 代码复制到剪贴板',
     report: '报告', reportHint: '给操作员的一页：图片、时间、零件、顺序、检查结果', project: '项目', projectHint: '保存项目：图、决定、机器和方案（Ctrl S）',
-    saved: (time) => `节省 ${time}`, longer: (time) => `多用 ${time}`, of: (share, order) => `占多数程序切法（最近优先）的 ${share}；${order}`,
-    less: (time) => `比按图少 ${time}`, more: (time) => `比按图多 ${time}`,
+    nothing: (searching) => (searching ? '尚未节省时间' : '没有节省时间'), asLong: (order) => `与多数程序切法（最近优先）用时相同；${order}`, saved: (time) => `节省 ${time}`, longer: (time) => `多用 ${time}`, of: (share, order) => `占多数程序切法（最近优先）的 ${share}；${order}`,
+    same: '与按图用时相同', less: (time) => `比按图少 ${time}`, more: (time) => `比按图多 ${time}`,
     cut: '切割', pierce: '穿孔', piercings: (_n, w) => `${w} 次穿孔`, preCuts: '预切', leads: '引线', joints: '微连接', skeleton: '骨架切割', skeletonCuts: (_n, w) => `${w} 条`, corners: '拐角', gap: '还可节省', atMost: (time, share) => `最多 ${time}（${share}）`, noBound: '尚无下界', nothingLeft: '没有了：此路径是最优的',
     chart: '搜索过程中的任务时间', chartAxis: '搜索过程中的任务时间', chartAbove: (time) => `按图 ${time} ↑`, chartNone: '搜索过程中的任务时间：尚无数值。',
     chartWords: (first, last, time) => `搜索过程中的任务时间：在 ${time} 内从 ${first} 降到 ${last}。`,

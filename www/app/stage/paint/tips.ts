@@ -16,9 +16,10 @@ export function* paintTips(pen: Pen, view: View, { path, shapes: beam, drawn, pa
   let held = 0;
   for (let k = 0; k < path.tips.length; k += 1) {
     const contour = path.tips[k]!;
-    // A strip between parts has no shape.
-    if (contour >= shapes.count || path.freedBy[k]! >= upto) continue;
-    traceChain(pen, view, shapes, contour);
+    if (path.freedBy[k]! >= upto) continue;
+    if (contour < shapes.count) traceChain(pen, view, shapes, contour);
+    // A strip between parts lies between the cuts across its ends, which follow each other.
+    else for (const end of [contour, contour + 1]) if (end < beam.count) traceChain(pen, view, beam, end, end > contour);
     held += 1;
     if (held % BATCH === 0) {
       pen.fill();
