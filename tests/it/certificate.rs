@@ -28,6 +28,7 @@ fn on(machine: &str) -> PlanOptions {
 
 /// Above 2^53 units, not every number of units is a floating-point number.
 #[test]
+#[allow(clippy::cast_possible_truncation, reason = "whole numbers")]
 fn a_bound_of_very_many_units_is_not_rounded_up() {
     for proven in (1_i128 << 57)..(1 << 57) + 64 {
         let seconds = with_paid(0, proven, std::iter::empty());
