@@ -74,10 +74,10 @@ impl Cut<'_> {
         all
     }
 
-    /// Seconds of the cut around some corners, with those of `taken`. From rest at both ends, it is long enough that these do not
+    /// The first and the last element of the cut around some corners. From rest at both ends, it is long enough that these do not
     /// matter to what a change of the corners saves.
-    fn seconds(&self, around: &[On], taken: &[usize]) -> f64 {
-        let (Some(first), Some(last)) = (around.first(), around.last()) else { return 0.0 };
+    fn window(&self, around: &[On]) -> [usize; 2] {
+        let (Some(first), Some(last)) = (around.first(), around.last()) else { return [0, 0] };
         let length = |k: usize| self.path.get(k).map_or(0.0, Segment::length);
         let (mut from, mut left) = (first.element, self.reach - length(first.element));
         while left > 0.0 && from > 0 {
@@ -89,6 +89,11 @@ impl Cut<'_> {
             to += 1;
             left -= length(to);
         }
+        [from, to]
+    }
+
+    /// Seconds of a part of the cut, with the corners of `taken`.
+    fn seconds(&self, [from, to]: [usize; 2], taken: &[usize]) -> f64 {
         let on = self.on.start.saturating_sub(from)..self.on.end.saturating_sub(from);
         let path = self.path.get(from..=to).unwrap_or_default();
         process_time(self.machine, self.process, false, &turned(path, on, self.corners, taken).0)
@@ -96,11 +101,12 @@ impl Cut<'_> {
 
     /// The best of all combinations.
     fn best(&self, near: &[On]) -> Vec<usize> {
-        let mut best: (Vec<usize>, f64) = (Vec::new(), self.seconds(near, &[]));
+        let window = self.window(near);
+        let mut best: (Vec<usize>, f64) = (Vec::new(), self.seconds(window, &[]));
         for set in 1_u32..1 << near.len() {
             let taken: Vec<usize> =
                 near.iter().enumerate().filter(|(k, _)| set >> k & 1 == 1).map(|(_, c)| c.corner).collect();
-            let seconds = self.seconds(near, &taken);
+            let seconds = self.seconds(window, &taken);
             if seconds < best.1 - SAVES {
                 best = (taken, seconds);
             }
@@ -111,19 +117,26 @@ impl Cut<'_> {
     /// A combination that no change of one corner, or of two neighbours, makes better.
     fn improved(&self, near: &[On]) -> Vec<usize> {
         let mut taken = vec![false; near.len()];
-        let list = |taken: &[bool]| -> Vec<usize> {
-            near.iter().zip(taken).filter(|(_, t)| **t).map(|(c, _)| c.corner).collect()
+        // The corners taken between two elements.
+        let list = |[from, to]: [usize; 2], taken: &[bool]| -> Vec<usize> {
+            let among = near.partition_point(|c| c.element < from)..near.partition_point(|c| c.element < to);
+            among.filter(|&k| taken[k]).map(|k| near[k].corner).collect()
         };
         for _ in 0..ROUNDS {
             let mut changed = false;
             for first in 0..near.len() {
                 for count in 1..=2 {
                     let Some(around) = near.get(first..first + count) else { continue };
-                    let before = self.seconds(around, &list(&taken));
-                    let mut other = taken.clone();
-                    other[first..first + count].iter_mut().for_each(|t| *t = !*t);
-                    if self.seconds(around, &list(&other)) < before - SAVES {
-                        (taken, changed) = (other, true);
+                    let window = self.window(around);
+                    let change = |taken: &mut [bool]| {
+                        taken[first..first + count].iter_mut().for_each(|t| *t = !*t);
+                    };
+                    let before = self.seconds(window, &list(window, &taken));
+                    change(&mut taken);
+                    if self.seconds(window, &list(window, &taken)) < before - SAVES {
+                        changed = true;
+                    } else {
+                        change(&mut taken);
                     }
                 }
             }
@@ -131,6 +144,6 @@ impl Cut<'_> {
                 break;
             }
         }
-        list(&taken)
+        list([0, usize::MAX], &taken)
     }
 }

@@ -73,7 +73,9 @@ pub(crate) fn other_format(bytes: &[u8]) -> Option<&'static str> {
     if let Some((_, sentence)) = SIGNATURES.iter().find(|(magic, _)| bytes.starts_with(magic)) {
         return Some(sentence);
     }
-    if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
+    // Without a byte order mark, every other byte of ASCII text is zero.
+    let is_unmarked = matches!(bytes, [0, a, 0, b, ..] | [a, 0, b, 0, ..] if a.is_ascii() && b.is_ascii() && *a.min(b) >= b'\t');
+    if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") || is_unmarked {
         return Some("This is text in UTF-16. Save the drawing again as DXF (ASCII or UTF-8) or SVG.");
     }
     if text.first() == Some(&b'<') {

@@ -199,6 +199,12 @@ impl Job {
         corners::check(&self.sheet, profile)?;
         bridges::check(&self.sheet, profile)?;
         self.drop_run();
+        let run = self.begin(placed, options).inspect_err(|_| self.drop_run())?;
+        Ok(self.run.insert(run))
+    }
+
+    /// Makes the sheet of the beam, and the first plan on it.
+    fn begin(&mut self, placed: Placed, options: &PlanOptions) -> Result<Run, JobError> {
         let mut findings = self.compensate(&placed.profile);
         if PLANS_ALL_LEVERS {
             let divided = self.beam_sheet().with_bridge_cuts(&placed.profile);
@@ -221,7 +227,7 @@ impl Job {
         let mut run = Run::start(self.beam_sheet(), placed, options)?;
         findings.append(&mut run.findings);
         run.findings = findings;
-        Ok(self.run.insert(run))
+        Ok(run)
     }
 
     fn drop_run(&mut self) {

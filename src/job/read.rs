@@ -3,7 +3,7 @@
 use crate::drawing::{Drawing, ReadError, ReadOptions};
 use crate::{dxf, svg};
 
-/// Whether a file is SVG, by its first 16 kB.
+/// Whether a file is SVG, by its first 256 kB.
 pub fn is_svg(head: &[u8]) -> bool {
     svg::is_svg(head)
 }

@@ -3,7 +3,7 @@
 use super::text;
 
 /// How far the root element may be from the start of a file. Before it are declarations and comments.
-const HEAD: usize = 16_384;
+const HEAD: usize = 262_144;
 
 /// Whether these bytes are an SVG file, in UTF-8 or UTF-16: markup whose first element is `svg`.
 pub fn is_svg(bytes: &[u8]) -> bool {

@@ -68,7 +68,7 @@ fn lines(job: &job::Job) -> Result<[JsValue; 2], JsError> {
     Ok([beam.transpose()?.unwrap_or(JsValue::NULL), geometry(&job.common_cuts())?])
 }
 
-/// Whether a file is SVG, by its first 16 kB.
+/// Whether a file is SVG, by its first 256 kB.
 #[wasm_bindgen(js_name = isSvg)]
 pub fn is_svg(head: &[u8]) -> bool {
     job::is_svg(head)

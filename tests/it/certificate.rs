@@ -5,6 +5,7 @@
 use kerfway::drawing::TextDecoder;
 use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions, Proof, verify};
 use kerfway::machine::{Profile, preset};
+use kerfway::plan::with_paid;
 use sha2::{Digest, Sha256};
 
 /// Circles of several sizes in a grid, as many as there are places.
@@ -23,6 +24,17 @@ pub(crate) fn grid(columns: u32, rows: u32) -> Vec<u8> {
 
 fn on(machine: &str) -> PlanOptions {
     PlanOptions { machine: MachineChoice::Preset(machine.into()), ..PlanOptions::default() }
+}
+
+/// Above 2^53 units, not every number of units is a floating-point number.
+#[test]
+#[allow(clippy::cast_possible_truncation, reason = "whole numbers")]
+fn a_bound_of_very_many_units_is_not_rounded_up() {
+    for proven in (1_i128 << 57)..(1 << 57) + 64 {
+        let seconds = with_paid(0, proven, std::iter::empty());
+        assert!(seconds as i128 <= proven && proven - (seconds as i128) < 64, "{proven} {seconds}");
+        assert!(with_paid(0, 0, std::iter::once(proven as f64)) <= proven as f64);
+    }
 }
 
 /// A certificate for the drawing after so much work, and the bound.

@@ -259,6 +259,8 @@ fn other_formats_are_named_with_advice() {
         (b"; made by x\nG21\nG90\nM4 S0\nG0 X1 Y2\n", "G-code"),
         (b"%!PS-Adobe-3.0", "PostScript"),
         (b"\xFF\xFE0\0\n\0", "UTF-16"),
+        (b"0\0\r\0\n\0S\0E\0", "UTF-16"),
+        (b"\0 \0 \x000\0\n\0S\0E", "UTF-16"),
         (b"solid part\nfacet normal", "STL"),
         (b"", "empty"),
         (b" \r\n\r\n", "empty"),

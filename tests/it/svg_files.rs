@@ -315,6 +315,17 @@ fn other_encodings_are_read() {
 }
 
 #[test]
+fn a_long_comment_before_the_drawing_does_not_hide_it() {
+    let comment = "licence ".repeat(12_000);
+    let text = format!(
+        "<?xml version=\"1.0\"?><!-- {comment} --><svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9mm\" height=\"9mm\" viewBox=\"0 0 9 9\">\
+        <rect width=\"5\" height=\"5\" stroke=\"red\" fill=\"none\"/></svg>"
+    );
+    let job = Job::load(text.into_bytes(), "a.svg", &LoadOptions::default()).unwrap();
+    assert_eq!(job.sheet().contours.len(), 1);
+}
+
+#[test]
 fn a_job_knows_the_format_by_its_content() {
     let text = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"60mm\" height=\"60mm\" viewBox=\"0 0 60 60\">\
         <rect x=\"5\" y=\"5\" width=\"50\" height=\"50\" stroke=\"red\" fill=\"none\"/><circle cx=\"30\" cy=\"30\" r=\"5\" stroke=\"red\" fill=\"none\"/></svg>";

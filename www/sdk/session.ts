@@ -27,7 +27,7 @@ export interface Host extends WriterFiles {
 /** Levers of a machine that the core leaves out: `Levers::not_in_this_build` in the planner refuses them there. */
 const NOT_IN_CORE = ['fly', 'chains', 'bridges', 'common_cuts', 'tips', 'heat', 'corners'] as const;
 /** Bytes at the start of a file by which SVG is recognised. */
-const HEAD = 16_384;
+const HEAD = 262_144;
 /** Default width of a picture, in pixels. */
 const PNG_WIDTH = 1600;
 

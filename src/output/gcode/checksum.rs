@@ -10,6 +10,8 @@ pub(super) const PLACE: &str = "checksum 0000000000000000";
 /// The word before the checksum, and its number of hexadecimal digits: 64 bits.
 const WORD: &str = "checksum ";
 const DIGITS: usize = 16;
+/// Most checksums that are tried: each takes a look at the whole program.
+const MOST: usize = 16;
 
 /// The program with its checksum, if it has a place for one.
 pub(super) fn filled(mut program: String) -> String {
@@ -20,17 +22,19 @@ pub(super) fn filled(mut program: String) -> String {
     program
 }
 
-/// Whether a program says its checksum and is not as it was written.
+/// Whether a program says its checksum and is not as it was written. A layer or a file may have a name that reads like a checksum, so it is
+/// enough that one of the last [`MOST`] of them is right.
 pub(super) fn is_changed(program: &str) -> bool {
-    let found = program.rmatch_indices(WORD).find_map(|(at, _)| {
+    let found = program.rmatch_indices(WORD).filter_map(|(at, _)| {
         let said = program.get(at..at + PLACE.len())?;
         said.bytes().skip(WORD.len()).all(|b| b.is_ascii_hexdigit()).then_some((at, said))
     });
-    found.is_some_and(|(at, said)| {
+    let mut right = found.take(MOST).map(|(at, said)| {
         let mut blank = program.to_owned();
         blank.replace_range(at..at + PLACE.len(), PLACE);
-        of(&blank) != said
-    })
+        of(&blank) == said
+    });
+    right.next().is_some_and(|first| !first && !right.any(|right| right))
 }
 
 /// The word and the checksum of a program that holds zeros in its place.
@@ -58,6 +62,17 @@ mod tests {
         let changes = [("G21", "G20"), ("G1 X1\n", ""), ("X1", "X1 "), ("M2", "M2\nM2"), ("80b", "00b")];
         let changed = changes.map(|(from, to)| is_changed(&program.replace(from, to)));
         assert_eq!(changed, [true, true, false, true, true]);
+    }
+
+    #[test]
+    fn names_that_read_like_a_checksum_are_none() {
+        let name = "; layer checksum 0123456789abcdef\n";
+        let program = filled(format!("; checksum 0000000000000000\nG21\n{name}M2\n"));
+        assert!(!is_changed(&program));
+        assert!(is_changed(&program.replace("G21", "G20")));
+        assert!(is_changed(&format!("{program}{name}")));
+        let often = format!("{program}{}", name.repeat(1000));
+        assert!(is_changed(&often));
     }
 
     #[test]

@@ -7,9 +7,8 @@
 
 use super::nesting::winding;
 use super::violation::Violation;
-use crate::geometry::{DVec2, Path, Segment};
+use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, Union};
 use crate::machine::{Bridges, PLANS_ALL_LEVERS, Profile};
-use crate::order::sort_by;
 use crate::plan::model::{Move, Plan};
 use crate::sheet::{Bridged, Operation, Sheet, Strip};
 
@@ -40,37 +39,75 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     if plan.bridges != strips || plan.summary.bridges as usize != strips.len() {
         say(contour, "has other bridges in the plan than on the sheet", at);
     }
-    for group in sheet.bridged.iter() {
+    let least = bridges.clearance + machine.kerf_width - SAME;
+    let ground = Ground {
+        sheet,
+        bridges,
+        least,
+        contours: BoxIndex::new(sheet.contours.iter().map(|c| c.drawn.as_ref().unwrap_or(&c.path).bounds())),
+        index: BoxIndex::new(strips.iter().map(|s| box_of(s.sides.as_flattened()))),
+        strips: &strips,
+    };
+    let named = named(sheet, plan);
+    for (group, named) in sheet.bridged.iter().zip(named) {
         let at = group.outlines.first().and_then(|o| o.1.start()).unwrap_or_default();
-        if let Err(what) = around(sheet, group, bridges) {
+        let outlines = BoxIndex::new(group.outlines.iter().map(|o| o.1.bounds()));
+        if let Err(what) = around(sheet, group, &outlines, bridges) {
             say(group.contour, what, at);
         }
         for strip in &group.strips {
-            if let Err((what, at)) = stands(sheet, machine, bridges, group, strip) {
+            if let Err((what, at)) = ground.stands(group, &outlines, strip) {
                 say(strip.contours[0], what, at);
             }
         }
-        if let Some(what) = named(plan, group) {
+        if let Some(what) = named {
             say(group.contour, what, at);
         }
     }
 }
 
-/// Whether every cut around connected parts names all of them, and no other cut names one of them.
-fn named(plan: &Plan, group: &Bridged) -> Option<&'static str> {
-    let mut others: Vec<u32> = group.outlines.iter().map(|o| o.0).filter(|id| *id != group.contour).collect();
-    sort_by(&mut others, |&id| [id.into(), 0, 0]);
-    plan.moves.iter().find_map(|m| {
-        let Move::Cut { contour, with, .. } = m else { return None };
-        if *contour == group.contour {
-            return (*with != others).then_some("is cut without naming the parts connected to it");
+/// For each group of connected parts, what is wrong where a cut around them does not name all of them, or another cut names one of them.
+fn named(sheet: &Sheet, plan: &Plan) -> Vec<Option<&'static str>> {
+    let mut faults = vec![None; sheet.bridged.len()];
+    let mut of: Vec<Option<usize>> = vec![None; sheet.contours.len()];
+    for (k, group) in sheet.bridged.iter().enumerate() {
+        for (id, _) in &group.outlines {
+            of.get_mut(*id as usize).into_iter().for_each(|of| *of = Some(k));
         }
-        others.contains(contour).then_some("is cut around parts, one of which is cut by itself as well")
-    })
+    }
+    for m in &plan.moves {
+        let Move::Cut { contour, with, .. } = m else { continue };
+        let Some(k) = of.get(*contour as usize).copied().flatten() else { continue };
+        let group = &sheet.bridged[k];
+        let others = || group.outlines.iter().map(|o| o.0).filter(|id| *id != group.contour);
+        let fault = if *contour != group.contour {
+            Some("is cut around parts, one of which is cut by itself as well")
+        } else if with.iter().copied().eq(others()) {
+            None
+        } else {
+            Some("is cut without naming the parts connected to it")
+        };
+        faults[k] = faults[k].or(fault);
+    }
+    faults
+}
+
+/// The place of an outline in the list of its group.
+fn place(group: &Bridged, outline: u32) -> Option<usize> {
+    group.outlines.binary_search_by_key(&outline, |o| o.0).ok()
+}
+
+fn box_of(points: &[DVec2]) -> Aabb {
+    points.iter().fold(Aabb::EMPTY, |b, &p| b.with(p))
 }
 
 /// Whether the path around connected parts consists of their outlines, opened in one place for each end of a strip, and the sides of the strips.
-fn around(sheet: &Sheet, group: &Bridged, bridges: &Bridges) -> Result<(), &'static str> {
+fn around(
+    sheet: &Sheet,
+    group: &Bridged,
+    outlines: &BoxIndex,
+    bridges: &Bridges,
+) -> Result<(), &'static str> {
     let Some(contour) = sheet.contours.get(group.contour as usize) else { return Err("is unknown") };
     let path = contour.drawn.as_ref().unwrap_or(&contour.path);
     if group.strips.len() + 1 != group.outlines.len()
@@ -96,22 +133,32 @@ fn around(sheet: &Sheet, group: &Bridged, bridges: &Bridges) -> Result<(), &'sta
     let mut cut = vec![0.0; group.outlines.len()];
     let mut sides: Vec<[DVec2; 2]> = Vec::new();
     for element in path.segments.iter().filter(|s| s.length() > SAME) {
-        let on = |outline: &Path| PLACES.iter().all(|&f| is_on(outline, element.at(f)));
-        match group.outlines.iter().position(|(_, outline)| on(outline)) {
+        let on = |&k: &usize| PLACES.iter().all(|&f| is_on(&group.outlines[k].1, element.at(f)));
+        match outlines.query(element.bounds().grown(SAME)).into_iter().find(on) {
             Some(k) => cut[k] += element.length(),
             None if matches!(element, Segment::Line(_)) => sides.push([element.start(), element.end()]),
             None => return Err("leaves the outlines of its parts in an arc"),
         }
     }
     let same = |a: &[DVec2; 2], b: &[DVec2; 2]| a[0].distance(b[0]) + a[1].distance(b[1]) <= 2.0 * SAME;
-    let wanted: Vec<[DVec2; 2]> = group.strips.iter().flat_map(|s| s.sides).collect();
-    if sides.len() != wanted.len() || !wanted.iter().all(|w| sides.iter().any(|s| same(s, w))) {
+    let starts = BoxIndex::new(sides.iter().map(|s| Aabb::of(s[0])));
+    let is_run = |wanted: &[DVec2; 2]| {
+        let near = starts.query(Aabb::of(wanted[0]).grown(2.0 * SAME));
+        near.into_iter().any(|k| same(&sides[k], wanted))
+    };
+    if sides.len() != 2 * group.strips.len() || !group.strips.iter().flat_map(|s| &s.sides).all(is_run) {
         return Err("leaves the outlines of its parts elsewhere than along its bridges");
     }
-    for ((id, outline), cut) in group.outlines.iter().zip(cut) {
-        // What is open lies between the two sides of each strip.
-        let open: f64 =
-            group.strips.iter().filter_map(|s| opening(s, *id)).map(|ends| length_open(outline, ends)).sum();
+    // What is open lies between the two sides of each strip.
+    let mut open = vec![0.0; group.outlines.len()];
+    for strip in &group.strips {
+        for (k, ends) in
+            strip.contours.iter().filter_map(|&id| Some((place(group, id)?, opening(strip, id)?)))
+        {
+            open[k] += length_open(&group.outlines[k].1, ends);
+        }
+    }
+    for (((_, outline), cut), open) in group.outlines.iter().zip(cut).zip(open) {
         let missing = outline.length() - open - cut;
         if missing > SAME * (2.0 + outline.length()) {
             return Err("leaves more of an outline uncut than where bridges end");
@@ -125,17 +172,12 @@ fn around(sheet: &Sheet, group: &Bridged, bridges: &Bridges) -> Result<(), &'sta
 
 /// Whether the strips connect all parts to one piece.
 fn is_tree(group: &Bridged) -> bool {
-    let mut reached: Vec<u32> = group.outlines.first().map(|o| o.0).into_iter().collect();
-    for _ in &group.strips {
-        for [a, b] in group.strips.iter().map(|s| s.contours) {
-            match (reached.contains(&a), reached.contains(&b)) {
-                (true, false) => reached.push(b),
-                (false, true) => reached.push(a),
-                _ => {}
-            }
-        }
-    }
-    group.outlines.iter().all(|(id, _)| reached.contains(id))
+    // There is one strip fewer than parts, so that each has to join two pieces.
+    let mut pieces = Union::new(group.outlines.len());
+    group.strips.iter().all(|strip| {
+        let places = strip.contours.map(|id| place(group, id).and_then(|k| u32::try_from(k).ok()));
+        matches!(places, [Some(a), Some(b)] if pieces.join(a, b))
+    })
 }
 
 /// Where a strip opens an outline: from and to, in the direction of the outline.
@@ -159,71 +201,89 @@ fn is_on(outline: &Path, point: DVec2) -> bool {
     outline.nearest(point).is_some_and(|(_, at)| at.distance(point) <= SAME)
 }
 
-/// Whether a strip is as wide and as long as the machine says, lies in waste, and keeps its distance from everything else.
-fn stands(
-    sheet: &Sheet,
-    machine: &Profile,
-    bridges: &Bridges,
-    group: &Bridged,
-    strip: &Strip,
-) -> Result<(), (&'static str, DVec2)> {
-    let [[a, b], [c, d]] = strip.sides;
-    let way = (b - a).normalize_or_zero();
-    if [c - a, d - a, c - b, d - b].iter().any(|v| (way.perp_dot(*v) - bridges.width).abs() > SAME) {
-        return Err(("has a bridge of another width than asked for", a));
-    }
-    if (d - c).dot(way) > 0.0 || a.distance(b).max(c.distance(d)) > bridges.reach + SAME {
-        return Err(("has a bridge that is longer than asked for", a));
-    }
-    for (id, ends) in strip.contours.iter().zip([[a, d], [c, b]]) {
-        let outline = group.outlines.iter().find(|o| o.0 == *id).map(|o| &o.1);
-        if let Some(at) = ends.into_iter().find(|&p| !outline.is_some_and(|o| is_on(o, p))) {
-            return Err(("has a bridge that does not end on an outline", at));
+/// What strips stand among.
+struct Ground<'s> {
+    sheet: &'s Sheet,
+    bridges: &'s Bridges,
+    /// Least distance of a strip from everything else, mm.
+    least: f64,
+    /// Where the contours are, as drawn.
+    contours: BoxIndex,
+    /// All strips of the sheet, and where they are.
+    strips: &'s [Strip],
+    index: BoxIndex,
+}
+
+impl Ground<'_> {
+    /// Whether a strip is as wide and as long as the machine says, lies in waste, and keeps its distance from everything else.
+    fn stands(
+        &self,
+        group: &Bridged,
+        outlines: &BoxIndex,
+        strip: &Strip,
+    ) -> Result<(), (&'static str, DVec2)> {
+        let Self { sheet, bridges, least, .. } = *self;
+        let [[a, b], [c, d]] = strip.sides;
+        let way = (b - a).normalize_or_zero();
+        if [c - a, d - a, c - b, d - b].iter().any(|v| (way.perp_dot(*v) - bridges.width).abs() > SAME) {
+            return Err(("has a bridge of another width than asked for", a));
         }
-    }
-    let own = || group.outlines.iter().filter(|o| strip.contours.contains(&o.0)).map(|o| &o.1);
-    for f in INSIDE {
-        let [p, q] = [a.lerp(b, f), d.lerp(c, f)];
-        if let Some(&at) = [p, q].iter().find(|&&p| own().any(|o| winding(o, p) != 0.0)) {
-            return Err(("has a bridge in a part", at));
+        if (d - c).dot(way) > 0.0 || a.distance(b).max(c.distance(d)) > bridges.reach + SAME {
+            return Err(("has a bridge that is longer than asked for", a));
         }
-    }
-    let least = bridges.clearance + machine.kerf_width - SAME;
-    let steps = (a.distance(b).max(c.distance(d)) / STEP).ceil().max(1.0);
-    let places = (0..).map(f64::from).take_while(|k| *k <= steps).map(|k| k / steps);
-    let along: Vec<DVec2> = places
-        .flat_map(|f| {
+        let outline = |id: u32| place(group, id).and_then(|k| group.outlines.get(k)).map(|o| &o.1);
+        for (id, ends) in strip.contours.into_iter().zip([[a, d], [c, b]]) {
+            if let Some(at) = ends.into_iter().find(|&p| !outline(id).is_some_and(|o| is_on(o, p))) {
+                return Err(("has a bridge that does not end on an outline", at));
+            }
+        }
+        let [one, other] = strip.contours;
+        let own = || [one.min(other), one.max(other)].into_iter().filter_map(outline);
+        for f in INSIDE {
             let [p, q] = [a.lerp(b, f), d.lerp(c, f)];
-            [p, p.midpoint(q), q]
-        })
-        .collect();
-    let nearest = |path: &Path| {
-        let around = path.bounds().grown(least);
-        let near = along.iter().filter(|p| around.contains(**p));
-        near.copied().find(|p| path.nearest(*p).is_some_and(|(_, at)| at.distance(*p) < least))
-    };
-    let others = sheet.contours.iter().zip(0..).filter(|(c, id)| {
-        c.operation != Operation::Ignore && !c.is_added() && c.next_pass.is_none() && *id != group.contour
-    });
-    let others = others.map(|(c, _)| c.drawn.as_ref().unwrap_or(&c.path));
-    let beside = group.outlines.iter().filter(|o| !strip.contours.contains(&o.0)).map(|o| &o.1);
-    if let Some(at) = others.chain(beside).find_map(nearest) {
-        return Err(("has a bridge too near to something else", at));
-    }
-    let strips = sheet.bridged.iter().flat_map(|b| &b.strips).filter(|other| *other != strip);
-    for other in strips {
-        let sides = other.sides.map(|[from, to]| Segment::line(from, to));
-        if let Some(at) = along.iter().find(|p| sides.iter().any(|s| s.nearest(**p).1.sqrt() < least)) {
-            return Err(("has two bridges too near to each other", *at));
+            if let Some(&at) = [p, q].iter().find(|&&p| own().any(|o| winding(o, p) != 0.0)) {
+                return Err(("has a bridge in a part", at));
+            }
         }
+        let steps = (a.distance(b).max(c.distance(d)) / STEP).ceil().max(1.0);
+        let places = (0..).map(f64::from).take_while(|k| *k <= steps).map(|k| k / steps);
+        let along: Vec<DVec2> = places
+            .flat_map(|f| {
+                let [p, q] = [a.lerp(b, f), d.lerp(c, f)];
+                [p, p.midpoint(q), q]
+            })
+            .collect();
+        let room = box_of(&along).grown(least);
+        let nearest = |path: &Path| {
+            let around = path.bounds().grown(least);
+            let near = along.iter().filter(|p| around.contains(**p));
+            near.copied().find(|p| path.nearest(*p).is_some_and(|(_, at)| at.distance(*p) < least))
+        };
+        let others =
+            self.contours.query(room).into_iter().map(|k| (&sheet.contours[k], k)).filter(|(c, k)| {
+                let plain = c.operation != Operation::Ignore && !c.is_added() && c.next_pass.is_none();
+                plain && *k != group.contour as usize
+            });
+        let others = others.map(|(c, _)| c.drawn.as_ref().unwrap_or(&c.path));
+        let beside = outlines.query(room).into_iter().map(|k| &group.outlines[k]);
+        let beside = beside.filter(|o| !strip.contours.contains(&o.0)).map(|o| &o.1);
+        if let Some(at) = others.chain(beside).find_map(nearest) {
+            return Err(("has a bridge too near to something else", at));
+        }
+        for other in self.index.query(room).into_iter().map(|k| &self.strips[k]).filter(|o| *o != strip) {
+            let sides = other.sides.map(|[from, to]| Segment::line(from, to));
+            if let Some(at) = along.iter().find(|p| sides.iter().any(|s| s.nearest(**p).1.sqrt() < least)) {
+                return Err(("has two bridges too near to each other", *at));
+            }
+        }
+        // Only the sides count here: the middle of a wide strip is nearer to nothing.
+        let sides = strip.sides.map(|[from, to]| Segment::line(from, to));
+        let corners = own().flat_map(corners);
+        if let Some(at) = corners.into_iter().find(|p| sides.iter().any(|s| s.nearest(*p).1.sqrt() < least)) {
+            return Err(("has a bridge too near to a corner", at));
+        }
+        Ok(())
     }
-    // Only the sides count here: the middle of a wide strip is nearer to nothing.
-    let sides = strip.sides.map(|[from, to]| Segment::line(from, to));
-    let corners = own().flat_map(corners);
-    if let Some(at) = corners.into_iter().find(|p| sides.iter().any(|s| s.nearest(*p).1.sqrt() < least)) {
-        return Err(("has a bridge too near to a corner", at));
-    }
-    Ok(())
 }
 
 /// The corners of an outline.

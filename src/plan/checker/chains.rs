@@ -96,6 +96,12 @@ struct Room<'s> {
 }
 
 impl Room<'_> {
+    /// Whether a cut through waste may lead to a contour: it is closed, and cut in one pass.
+    fn may_be_joined(&self, contour: &Contour) -> bool {
+        let once = self.sheet.process_of(contour, self.machine).passes == 1;
+        contour.path.closed && contour.operation == Operation::Cut && !contour.skeleton && once
+    }
+
     /// What is wrong with a chain between two contours that begins at `at`, and where.
     fn fault(&self, [a, b]: [u32; 2], path: &[Segment], at: DVec2) -> Option<(&'static str, DVec2)> {
         let [Segment::Line(line)] = path else { return Some(("is not straight", at)) };
@@ -106,11 +112,8 @@ impl Room<'_> {
         }
         let known = |id: u32| self.sheet.contours.get(id as usize);
         let (first, second) = known(a).zip(known(b))?;
-        let joins = |c: &Contour| {
-            let once = self.sheet.process_of(c, self.machine).passes == 1;
-            c.path.closed && c.operation == Operation::Cut && !c.skeleton && once
-        };
-        if a == b || first.layer != second.layer || !joins(first) || !joins(second) {
+        if a == b || first.layer != second.layer || !self.may_be_joined(first) || !self.may_be_joined(second)
+        {
             return Some(("joins contours that are not cut alike", at));
         }
         for f in fractions(length, STEP, [2.0, MOST]) {
@@ -136,8 +139,7 @@ impl Room<'_> {
         if length > self.lever.reach + SAME {
             return Some(("is longer than the machine allows", at));
         }
-        let known = self.sheet.contours.get(contour as usize)?;
-        if !known.path.closed || known.operation != Operation::Cut || known.skeleton {
+        if !self.may_be_joined(self.sheet.contours.get(contour as usize)?) {
             return Some(("joins contours that are not cut alike", at));
         }
         fractions(length, STEP, [2.0, MOST]).find_map(|f| {

@@ -1,46 +1,18 @@
 //! Checks pierce groups: every shared cut is cut once, nothing is cut after it has fallen out, and pre-cuts are where they
 //! are needed. On a machine without pre-cuts, the beam begins again where a stretch of the group was cut before.
 //!
-//! The beam is followed from element to element. After every element, the areas that are still held are found again from
-//! the outside in: an area is held as long as a chain of uncut elements connects it to the area around the group. (The
+//! The beam is followed from element to element. An area is held as long as a chain of uncut elements connects it to the area
+//! around the group. So after every element, such a chain is looked for between the two areas that the element connected. (The
 //! planner looks at the order backwards instead.)
 
 use super::coverage::leads;
-use super::tolerance::{SAME, rounding};
+use super::group_work::{NEAR, Work};
+use super::tolerance::SAME;
 use super::violation::Violation;
-use crate::geometry::{DVec2, Path, Segment, winding_number};
+use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment};
 use crate::machine::{PLANS_ALL_LEVERS, Profile};
 use crate::plan::model::{Move, Plan};
 use crate::sheet::{PierceGroup, Sheet};
-
-/// An element that a run follows begins or ends nearer to it than this, mm: far more than [`SAME`] and any rounding.
-const NEAR: f64 = 1.0;
-
-/// The state of a group.
-struct Work<'s> {
-    group: &'s PierceGroup,
-    paths: Vec<Path>,
-    /// For each area, the elements beside it.
-    beside: Vec<Vec<usize>>,
-    cut: Vec<bool>,
-    /// Pre-cuts made, as contour and node.
-    ahead: Vec<(u32, u32)>,
-    /// For each area, the move that cut it free.
-    free: Vec<Option<usize>>,
-}
-
-/// For each area of a group, the elements that have it on one side or on both, in order.
-fn beside(group: &PierceGroup) -> Vec<Vec<usize>> {
-    let mut beside = vec![Vec::new(); group.faces as usize];
-    for (e, element) in group.elements.iter().enumerate() {
-        let [left, right] = element.faces.map(|f| f as usize);
-        beside[left].push(e);
-        if left != right {
-            beside[right].push(e);
-        }
-    }
-    beside
-}
 
 /// For each contour, whether it is cut in one go, with no other. A pause in a sharp corner does not interrupt it.
 fn cut_alone(sheet: &Sheet, plan: &Plan) -> Vec<bool> {
@@ -89,14 +61,7 @@ impl<'s> Groups<'s> {
                     *of = Some(work.len());
                 }
             }
-            work.push(Work {
-                group,
-                paths: group.elements.iter().map(|e| group.path(e)).collect(),
-                beside: beside(group),
-                cut: vec![false; group.elements.len()],
-                ahead: Vec::new(),
-                free: vec![None; group.faces as usize],
-            });
+            work.push(Work::new(group));
         }
         Self { sheet, pre_cuts, work, of }
     }
@@ -124,8 +89,8 @@ impl<'s> Groups<'s> {
         };
         let Some(node) = work.node(head) else { return false };
         let ahead = Path::new(ahead.to_vec(), false);
-        let left = work.group.elements.iter().zip(&work.paths).zip(&work.cut).filter(|(_, cut)| !**cut);
-        let fits = left.map(|(e, _)| e).any(|(e, path)| {
+        let fits = work.ending_near(head, NEAR).filter(|&e| !work.cut[e]).any(|e| {
+            let (e, path) = (&work.group.elements[e], &work.paths[e]);
             let [from, to] = e.ends;
             e.contour == contour
                 && ((from == node && leads(path, &ahead)) || (to == node && leads(&path.reversed(), &ahead)))
@@ -188,6 +153,13 @@ impl<'s> Groups<'s> {
     /// After the last move: everything is cut, and what lies inside an area was cut before the area was cut free. `ends`
     /// gives the move at which a contour was last cut.
     pub(super) fn finish(&self, ends: impl Fn(u32) -> Option<usize>, found: &mut Vec<Violation>) {
+        if self.work.is_empty() {
+            return;
+        }
+        // The middle is used because the ends may lie on the outline.
+        let middle = |path: &Path| path.at(0.5 * path.length()).map_or(Aabb::EMPTY, Aabb::of);
+        let middles: Vec<Aabb> = self.sheet.contours.iter().map(|c| middle(&c.path)).collect();
+        let index = BoxIndex::new(middles.iter().copied());
         for work in &self.work {
             for (e, path) in
                 work.group.elements.iter().zip(&work.paths).zip(&work.cut).filter(|c| !*c.1).map(|c| c.0)
@@ -199,126 +171,27 @@ impl<'s> Groups<'s> {
                     length: path.length(),
                 });
             }
-            for (inner, contour) in (0..).zip(&self.sheet.contours) {
-                if work.group.contours.contains(&inner) {
-                    continue;
-                }
-                // The middle is used because the ends may lie on the outline.
-                let (Some(at), Some(end)) = (contour.path.at(0.5 * contour.path.length()), ends(inner))
+            let bounds = |beside: &Vec<usize>| {
+                beside.iter().fold(Aabb::EMPTY, |b, &e| b.union(work.paths[e].bounds()))
+            };
+            let faces: Vec<Aabb> = work.beside.iter().map(bounds).collect();
+            let all = faces.iter().fold(Aabb::EMPTY, |all, b| all.union(*b));
+            let index_of_faces = BoxIndex::new(faces);
+            for (inner, place) in
+                index.query(all).into_iter().filter_map(|k| Some((u32::try_from(k).ok()?, middles[k])))
+            {
+                let Some(end) = ends(inner).filter(|_| work.group.contours.binary_search(&inner).is_err())
                 else {
                     continue;
                 };
-                for face in 1..work.group.faces {
-                    let late = work.free.get(face as usize).copied().flatten().is_some_and(|free| free < end);
-                    if late && work.holds(face, at) {
+                for face in index_of_faces.query(place).into_iter().filter(|face| *face > 0) {
+                    let late = work.free[face].is_some_and(|free| free < end);
+                    if late && work.holds(face, place.min) {
                         let outer = work.group.contours.first().copied().unwrap_or(0);
                         found.push(Violation::CutFree { outer, inner });
                     }
                 }
             }
         }
-    }
-}
-
-impl Work<'_> {
-    fn node(&self, at: DVec2) -> Option<u32> {
-        (0..).zip(&self.group.nodes).find(|n| n.1.distance(at) <= SAME).map(|n| n.0)
-    }
-
-    /// The uncut element that a run follows from the position `gone` on, and the nodes from which and to which it leads.
-    fn next(&self, run: &Path, gone: f64) -> Option<(usize, u32, u32)> {
-        let at = run.at(gone)?;
-        let is_near = |end: Option<DVec2>| end.is_some_and(|end| end.distance(at) < NEAR);
-        // Few elements end where the run is, which is found out before the whole run is walked through for each.
-        (0..self.paths.len())
-            .filter(|&e| !self.cut[e] && (is_near(self.paths[e].start()) || is_near(self.paths[e].end())))
-            .find_map(|e| self.follows(run, gone, e).map(|n| (e, n[0], n[1])))
-    }
-
-    fn repeats(&self, run: &Path, gone: f64) -> bool {
-        (0..self.paths.len()).any(|e| self.cut[e] && self.follows(run, gone, e).is_some())
-    }
-
-    fn follows(&self, run: &Path, gone: f64, e: usize) -> Option<[u32; 2]> {
-        let path = &self.paths[e];
-        let length = path.length();
-        let slack = SAME + path.segments.iter().map(rounding).sum::<f64>();
-        let [a, b] = self.group.elements[e].ends;
-        [(false, [a, b]), (true, [b, a])].into_iter().find_map(|(back, ends)| {
-            let along = |t: f64| if back { (1.0 - t) * length } else { t * length };
-            let fits = [0.0, 0.25, 0.5, 0.75, 1.0].into_iter().all(|t| {
-                let (Some(p), Some(q)) = (run.at(gone + t * length), path.at(along(t))) else { return false };
-                p.distance(q) <= slack
-            });
-            (fits && gone + length <= run.length() + slack).then_some(ends)
-        })
-    }
-
-    /// The areas that uncut elements connect to the sheet.
-    fn held(&self) -> Vec<bool> {
-        let mut held = vec![false; self.group.faces as usize];
-        let mut queue = vec![0_u32];
-        while let Some(f) = queue.pop() {
-            if !std::mem::replace(&mut held[f as usize], true) {
-                let left = self.beside[f as usize].iter().filter(|&&e| !self.cut[e]);
-                queue.extend(left.flat_map(|&e| self.group.elements[e].faces));
-            }
-        }
-        held
-    }
-
-    /// Whether one of the areas beside an element is still held.
-    fn is_held(&self, e: usize) -> bool {
-        self.group.elements[e].faces.iter().any(|&f| self.free[f as usize].is_none())
-    }
-
-    /// Whether a stretch that ends at a node has been cut.
-    fn is_on_kerf(&self, node: u32) -> bool {
-        let place = self.group.nodes.get(node as usize);
-        let ends = |path: &Path| [path.start(), path.end()];
-        let cut = self.paths.iter().zip(&self.cut).filter(|(_, cut)| **cut);
-        let mut places = cut.flat_map(|(path, _)| ends(path)).flatten();
-        place.is_some_and(|node| places.any(|end| end.distance(*node) <= SAME))
-    }
-
-    /// Whether an area at a node has been cut free.
-    fn is_loose(&self, node: u32) -> bool {
-        let mut elements = self.group.elements.iter().filter(|e| e.ends.contains(&node));
-        elements.any(|e| e.faces.iter().any(|&f| self.free[f as usize].is_some()))
-    }
-
-    fn take(&mut self, e: usize, step: usize) {
-        self.cut[e] = true;
-        let [left, right] = self.group.elements[e].faces;
-        // It connected nothing if it has the same area on both sides, and nothing that is still held if one of its areas is free.
-        if left == right || [left, right].iter().any(|&f| self.free[f as usize].is_some()) {
-            return;
-        }
-        let held = self.held();
-        for (free, held) in self.free.iter_mut().zip(held) {
-            if !held && free.is_none() {
-                *free = Some(step);
-            }
-        }
-    }
-
-    /// Whether a point lies inside an area and not on its outline.
-    fn holds(&self, face: u32, at: DVec2) -> bool {
-        let boundary = self.boundary(face);
-        winding_number(&boundary, at) != 0 && boundary.iter().all(|s| s.nearest(at).1 > SAME * SAME)
-    }
-
-    /// The elements around an area, with the area on their left, in no particular order.
-    fn boundary(&self, face: u32) -> Vec<Segment> {
-        let mut segments = Vec::new();
-        let beside = self.beside.get(face as usize).into_iter().flatten();
-        for (e, path) in beside.map(|&e| (&self.group.elements[e], &self.paths[e])) {
-            if e.faces[0] == face && e.faces[1] != face {
-                segments.extend_from_slice(&path.segments);
-            } else if e.faces[1] == face && e.faces[0] != face {
-                segments.extend(path.reversed().segments);
-            }
-        }
-        segments
     }
 }

@@ -13,6 +13,7 @@ mod coverage;
 mod cut_apart;
 mod fly;
 mod fractions;
+mod group_work;
 mod groups;
 mod heat;
 mod joint_room;

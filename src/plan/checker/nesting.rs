@@ -120,6 +120,11 @@ fn index(outers: &[Outer]) -> Option<StaticAABB2DIndex<f64>> {
 
 /// Whether sample points of a path show that it lies inside an outline. Points within `same` mm of the outline are on it.
 fn lies_inside(path: &Path, outer: &Path, same: f64) -> bool {
+    // Where no element of the outline comes near the path, all of the path is on one side of it.
+    let bounds = path.bounds();
+    if !outer.segments.iter().any(|s| s.bounds().grown(same + rounding(s)).overlaps(&bounds)) {
+        return path.start().is_some_and(|start| winding(outer, start) != 0.0);
+    }
     samples_inside(path, SAMPLES, outer, same)
         && (path.segments.len() <= SAMPLES / 2 || samples_inside(path, MANY_SAMPLES, outer, same))
 }

@@ -166,11 +166,13 @@ impl From<&model::Move> for Move {
                 // An arc may become two elements, so each part is counted as it is written.
                 let [lead_in, on, overcut, lead_out] = leads.divide(path).map(Element::all);
                 let counts = [&lead_in, &overcut, &lead_out].map(Vec::len);
-                let corner = |turn: &model::Turn| Corner {
-                    kind: turn.kind,
-                    at: place(turn.at),
-                    first: Element::all(path.get(..turn.first).unwrap_or_default()).len(),
-                    count: Element::all(turn.of(path)).len(),
+                // The corners are in order, so that the elements before each are counted on from the one before.
+                let (mut done, mut first) = (0, 0);
+                let corner = |turn: &model::Turn| {
+                    first += Element::all(path.get(done..turn.first).unwrap_or_default()).len();
+                    done = turn.first;
+                    let count = Element::all(turn.of(path)).len();
+                    Corner { kind: turn.kind, at: place(turn.at), first, count }
                 };
                 Self::Cut {
                     contour: Contours::of(*contour, with),

@@ -188,8 +188,11 @@ pub(super) fn units(seconds: f64, power: i32) -> i64 {
 
 /// Seconds below this many units, which are this power of two.
 pub(super) fn below(power: i32, whole: i128) -> f64 {
-    // Rounded to the nearest; one unit less is below it.
-    libm::ldexp((whole - 1) as f64, power)
+    // Rounded to the nearest: one unit less is below it, unless numbers of this size are farther apart than units.
+    let near = (whole - 1) as f64;
+    #[expect(clippy::cast_possible_truncation, reason = "whole")]
+    let is_above = near as i128 > whole;
+    libm::ldexp(if is_above { near.next_down() } else { near }, power)
 }
 
 /// A proven travel in units, and the seconds that every plan pays besides: their sum, s, rounded down.

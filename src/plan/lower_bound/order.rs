@@ -36,10 +36,9 @@ impl Order {
         }
         // Transitive closure (Warshall, 1962).
         for middle in first..count {
-            for a in (first..count).filter(|&a| order.before[a * count + middle]).collect::<Vec<_>>() {
-                for b in first..count {
-                    order.before[a * count + b] |= order.before[middle * count + b];
-                }
+            let after: Vec<bool> = order.before[middle * count..][..count].to_vec();
+            for row in order.before.chunks_exact_mut(count).filter(|row| row[middle]) {
+                row.iter_mut().zip(&after).for_each(|(before, &after)| *before |= after);
             }
         }
         for i in first..count {

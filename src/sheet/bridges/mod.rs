@@ -31,7 +31,7 @@ use crate::geometry::{BoxIndex, Path, Union};
 use crate::machine::{Bridges, Profile};
 use crate::order::{real, sort_by};
 use price::Prices;
-use room::Room;
+use room::{Room, bounds};
 use side::Side;
 use std::sync::Arc;
 use strip::Candidate;
@@ -142,22 +142,32 @@ impl Sheet {
         }
         let mut trees = Union::new(self.contours.len());
         let mut parts = vec![1_u32; self.contours.len()];
-        let mut strips: Vec<Candidate> = Vec::new();
-        for (_, candidate) in candidates {
+        let index = BoxIndex::new(candidates.iter().map(|(_, c)| bounds(&c.strip)));
+        let mut is_taken = vec![false; candidates.len()];
+        for (k, (_, candidate)) in candidates.iter().enumerate() {
             let [a, b] = candidate.strip.contours.map(|c| trees.root(c));
             let together = parts[a as usize] + parts[b as usize];
-            let apart = |other: &Candidate| room.apart(&candidate.strip, &other.strip);
+            let is_apart = || {
+                let mut apart = true;
+                index.visit(room.around(&candidate.strip), |other| {
+                    apart = !is_taken[other] || room.apart(&candidate.strip, &candidates[other].1.strip);
+                    apart
+                });
+                apart
+            };
             if a == b
                 || bridges.most.is_some_and(|most| f64::from(together) > most)
-                || !room.holds(&candidate, &sides)
-                || !strips.iter().all(apart)
+                || !room.holds(candidate, &sides)
+                || !is_apart()
             {
                 continue;
             }
             trees.join(a, b);
             parts[trees.root(a) as usize] = together;
-            strips.push(candidate);
+            is_taken[k] = true;
         }
+        let taken = candidates.into_iter().zip(is_taken).filter(|(_, taken)| *taken);
+        let mut strips: Vec<Candidate> = taken.map(|((_, candidate), _)| candidate).collect();
         if tips.is_some() {
             let mut held = vec![false; self.contours.len()];
             for c in strips.iter().flat_map(|c| c.strip.contours).filter(stays) {

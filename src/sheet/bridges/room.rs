@@ -35,12 +35,17 @@ impl Room {
         Self { elements, index, least }
     }
 
+    /// The box around a strip in which it has no other one.
+    pub(super) fn around(&self, strip: &Strip) -> Aabb {
+        bounds(strip).grown(self.least)
+    }
+
     /// Whether there is room for a strip between its sides.
     pub(super) fn holds(&self, candidate: &Candidate, sides: &[Side]) -> bool {
         let strip = &candidate.strip;
         let ends = candidate.of.map(|k| sides.get(k));
         let mut free = true;
-        self.index.visit(bounds(strip).grown(self.least), |k| {
+        self.index.visit(self.around(strip), |k| {
             let Some(element) = self.elements.get(k) else { return true };
             let own = |side: &&Side| side.contour == element.contour && side.holds(element.number);
             free = ends.iter().flatten().any(own) || self.is_free(strip, &element.shape);
@@ -51,7 +56,7 @@ impl Room {
 
     /// Whether two strips keep their distance.
     pub(super) fn apart(&self, a: &Strip, b: &Strip) -> bool {
-        !bounds(a).grown(self.least).overlaps(&bounds(b))
+        !self.around(a).overlaps(&bounds(b))
             || lines(b).iter().all(|side| self.is_free(a, side)) && !holds(b, a.sides[0][0])
     }
 
@@ -78,7 +83,8 @@ fn lines(strip: &Strip) -> [Segment; 2] {
     strip.sides.map(|[from, to]| Segment::line(from, to))
 }
 
-fn bounds(strip: &Strip) -> Aabb {
+/// The smallest box around a strip.
+pub(super) fn bounds(strip: &Strip) -> Aabb {
     strip.sides.as_flattened().iter().fold(Aabb::EMPTY, |b, &p| b.with(p))
 }
 

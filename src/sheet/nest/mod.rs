@@ -223,9 +223,10 @@ impl<'c> Search<'c> {
             let beside = if is_rest { *slack } else { ON_LINE };
             let near = |p: DVec2| slabs.between(around, [p.y - beside, p.y + beside]);
             let on_line = |p: DVec2| near(p).any(|s| s.nearest(p).1 <= beside * beside);
-            let decide = || witnesses.iter().filter(|p| own.closed || !on_line(**p));
             let inside = |p: DVec2| winding_number(slabs.at(around, p.y), p) != 0;
-            let held = || decide().map(|p| if inside(*p) { 1 } else { -1 }).sum::<i32>() > 0;
+            let says = |p: &DVec2| (own.closed || !on_line(*p)).then(|| if inside(*p) { 1 } else { -1 });
+            let sum = |points: &[DVec2]| points.iter().filter_map(says).reduce(|a: i32, b| a + b);
+            let held = || sum(&witnesses).or_else(|| sum(&more_witnesses(own))).is_some_and(|sum| sum > 0);
             // Of two outlines that lost sides, the larger one does not lie inside the smaller one, whatever is left of it.
             let is_smaller =
                 c.outline.is_some() && other.outline.is_some() && sizes[j as usize] < sizes[i as usize];
@@ -262,6 +263,19 @@ fn witnesses(path: &Path) -> Vec<DVec2> {
     {
         return vec![p];
     }
+    points(path, &[0.171, 0.413, 0.829])
+}
+
+/// Sixteen points of an open line or more, which decide where its witnesses are all on an outline: the line may run along that, and
+/// only its beginning or a short stretch of it may lie inside.
+fn more_witnesses(path: &Path) -> Vec<DVec2> {
+    let each = u32::try_from(16_usize.div_ceil(path.segments.len().max(1))).map_or(2, |each| each.max(2));
+    let fractions: Vec<f64> = (0..each).map(|k| f64::from(k) / f64::from(each)).collect();
+    points(path, &fractions)
+}
+
+/// Points at these fractions of up to 32 elements.
+fn points(path: &Path, fractions: &[f64]) -> Vec<DVec2> {
     let stride = path.segments.len().div_ceil(32).max(1);
-    path.segments.iter().step_by(stride).flat_map(|s| [0.171, 0.413, 0.829].map(|f| s.at(f))).collect()
+    path.segments.iter().step_by(stride).flat_map(|s| fractions.iter().map(|&f| s.at(f))).collect()
 }

@@ -16,6 +16,7 @@ mod remainder;
 
 use super::model::{Contour, LayerUse, Operation, Pin, Sheet};
 use crate::geometry::{Aabb, Path, Segment};
+use crate::letters::same_letters;
 use crate::machine::{Profile, Settings, Skeleton};
 use fault::SkeletonFault;
 use grid::Grid;
@@ -86,7 +87,7 @@ impl Sheet {
     }
 
     fn free_layer_name(&self) -> String {
-        let taken = |name: &str| self.layers.iter().any(|l| l.name.eq_ignore_ascii_case(name));
+        let taken = |name: &str| self.layers.iter().any(|l| same_letters(&l.name, name));
         let mut name = LAYER.to_owned();
         // There are fewer layers than numbers.
         for number in 2..u32::MAX {

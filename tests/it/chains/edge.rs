@@ -1,12 +1,13 @@
 //! Cuts that begin at the edge of the sheet.
 
+use super::checker::says;
 use super::{chaining, near, starting};
 use crate::testkit::exact::search_of_exact_cost;
 use crate::testkit::leads::oriented;
 use crate::testkit::sheets::{Builder, Dice, p, rectangle};
 use kerfway::geometry::{DVec2, Segment};
 use kerfway::machine::dialect::{DialectChoice, dialects};
-use kerfway::machine::{AirTime, Profile, Start, cut_time};
+use kerfway::machine::{AirTime, Process, Profile, Start, cut_time};
 use kerfway::output::{self, SheetFacts};
 use kerfway::plan::{self, Move, Violation};
 use kerfway::sheet::{Ignored, Sheet};
@@ -123,6 +124,9 @@ fn starts_away_from_the_edge_or_through_parts_are_found() {
     };
     assert!(found(&|entry| p(1.0, entry.y)), "in the waste");
     assert!(found(&|entry| p(0.0, entry.y + 14.0)), "longer than the reach");
+    // A contour in several passes is pierced in each.
+    let twice = Profile { cut: Process { passes: 2, ..machine.cut.clone() }, ..machine.clone() };
+    assert!(says(&plan::check(&sheet, &twice, &plan).unwrap_err(), "joins contours that are not cut alike"));
     // Without the lever, with marks, or where no sheet is known, there are none.
     let pierces =
         |sheet: &Sheet, machine: &Profile| search_of_exact_cost(sheet, machine, 1).2.summary.pierces;

@@ -63,6 +63,42 @@ fn gaps_that_no_program_shows_take_no_time() {
     assert!((seconds(&job) / seconds(&whole) - 1.0).abs() < 1e-3);
 }
 
+/// Two squares share a side, so that one of them keeps three sides. A line beside its lower side leaves that only with its tip, which is
+/// farther from it than ends are moved.
+#[test]
+fn a_line_of_one_element_with_only_its_tip_inside_is_cut_before_the_outline() {
+    let square = |x: f64| {
+        polyline([(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0)].map(|(dx, y)| DVec2::new(x + dx, y)))
+    };
+    for (length, tip, end) in [(0.3, 0.06, 0.0), (0.3, 0.06, 0.001), (3.0, 0.06, 0.0)] {
+        let line = |x: f64| Entity::Line(DVec2::new(x, tip), DVec2::new(x + length, end));
+        let job = planned(&[square(0.0), square(20.0), line(5.0), line(30.0)]).unwrap();
+        let insides: Vec<Option<u32>> = job.sheet().contours.iter().map(|c| c.inside).collect();
+        assert_eq!(insides, [None, None, Some(0), Some(1)], "{length} {tip} {end}");
+    }
+}
+
+/// Lines of a few elements that run along the sides of two squares, nearer to them than ends are moved or a little farther.
+#[test]
+fn lines_along_the_sides_of_an_outline_are_planned() {
+    let mut rng = seeded(20_261_201);
+    let square = |x: f64| {
+        polyline([(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0)].map(|(dx, y)| DVec2::new(x + dx, y)))
+    };
+    for case in 0..400 {
+        let mut line = |x: f64| {
+            let count = rng.random_range(2..9);
+            let length = [0.02, 0.3, 1.5][rng.random_range(0..3)];
+            let point = |k: u32| DVec2::new(x + length * f64::from(k), rng.random_range(-0.01..0.1));
+            Entity::Polyline((0..count).map(point).map(|p| (p, 0.0)).collect(), false)
+        };
+        let entities = [square(0.0), square(20.0), line(5.0), line(25.0)];
+        if let Err(sentence) = planned(&entities) {
+            panic!("case {case}: {sentence}\n{}", dxf(&entities));
+        }
+    }
+}
+
 /// A shape whose corners lie on a grid, so that sides of different shapes lie on each other, some of them a little apart.
 fn random_shape(rng: &mut Rng) -> Entity {
     let apart = [0.0, 0.0, 2e-5, 0.004, 0.03][rng.random_range(0..5)];

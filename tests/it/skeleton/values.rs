@@ -154,6 +154,21 @@ fn the_bed_is_the_sheet_if_no_outline_is_drawn() {
     );
 }
 
+/// The paths of the beam of a machine that was refused are not shown as those of a plan.
+#[test]
+fn a_start_that_fails_leaves_no_paths_of_the_beam() {
+    let skeleton = Skeleton { spacing_x: Some(200.0), ..Skeleton::default() };
+    let machine = Profile { kerf_width: 0.2, bed: None, ..with(skeleton) };
+    let mut job =
+        Job::load(drawing(&[circle([150.0, 100.0, 30.0])]), "disk.dxf", &LoadOptions::default()).unwrap();
+    for (machine, is_started) in [(Profile { skeleton: None, ..machine.clone() }, true), (machine, false)] {
+        let machine = MachineChoice::Profile(Box::new(machine));
+        let started = job.start(&PlanOptions { machine, allow_off_bed: true, ..PlanOptions::default() });
+        assert_eq!(started.is_ok(), is_started);
+        assert_eq!((job.run().is_ok(), job.beam_paths().is_some()), (is_started, is_started));
+    }
+}
+
 /// Every order and direction of three cuts after the last part: the search finds the least.
 #[test]
 fn the_search_chooses_order_and_directions() {
