@@ -4,8 +4,8 @@
 //! in both directions, element by element, and compared at five points of each. A walk never turns back, so if its length
 //! is that of the contour, it has passed each place once.
 
-use super::tolerance::{SAME, rounding, stretch};
-use crate::geometry::{DVec2, Path, Segment, math};
+use super::tolerance::{SAME, slack};
+use crate::geometry::{DVec2, Path, Segment};
 
 /// Elements shorter than this are rounding, mm.
 const NOTHING: f64 = SAME * SAME;
@@ -64,8 +64,7 @@ pub(super) fn follows(contour: &Path, cut: &[Segment], gap: f64) -> Result<(), F
 struct Element<'s> {
     shape: &'s Segment,
     length: f64,
-    /// Largest deviation of points on it that is not a fault, mm: rounding, plus the distance of its ends from its own
-    /// circle, which joining over a gap causes, plus what it is longer or shorter backwards.
+    /// Largest deviation of points on it that is not a fault, mm.
     slack: f64,
     /// Whether it is a full circle, whose start a piece may pass.
     circle: bool,
@@ -73,18 +72,8 @@ struct Element<'s> {
 
 impl<'s> Element<'s> {
     fn new(shape: &'s Segment) -> Self {
-        let ends = match shape {
-            Segment::Line(_) => 0.0,
-            // Where an end was moved along the circle as well, its sweep does not lead to it exactly.
-            Segment::Arc(a) if a.is_circle() => 0.0,
-            Segment::Arc(a) => {
-                let turned = a.center + math::unit(a.sweep).rotate(a.start - a.center);
-                turned.distance(a.end)
-            }
-        };
-        let slack = ends + rounding(shape) + stretch(shape);
         let circle = matches!(shape, Segment::Arc(a) if a.is_circle());
-        Self { shape, length: shape.length(), slack, circle }
+        Self { shape, length: shape.length(), slack: slack(shape), circle }
     }
 }
 
@@ -155,7 +144,7 @@ impl Walk<'_> {
 /// Whether a run begins with the stretch that was cut ahead.
 pub(super) fn leads(run: &Path, ahead: &Path) -> bool {
     let length = ahead.length();
-    let slack = SAME + run.segments.iter().map(rounding).sum::<f64>();
+    let slack = SAME + run.segments.iter().map(slack).sum::<f64>();
     [0.0, 0.5, 1.0].into_iter().filter(|_| length > 0.0).all(|t| {
         let places = run.at(t * length).zip(ahead.at(t * length));
         length <= run.length() + slack && places.is_some_and(|(a, b)| a.distance(b) <= slack)

@@ -1,6 +1,6 @@
 //! The state of a pierce group as its cuts are followed: which of its elements are cut, and which of its areas are still held.
 
-use super::tolerance::{SAME, rounding};
+use super::tolerance::SAME;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, winding_number};
 use crate::sheet::PierceGroup;
 
@@ -71,32 +71,32 @@ impl<'s> Work<'s> {
         nodes.filter(is_here).min()
     }
 
-    /// The uncut element that a run follows from the position `gone` on, and the nodes from which and to which it leads.
-    pub(super) fn next(&self, run: &Path, gone: f64) -> Option<(usize, u32, u32)> {
+    /// The uncut element that a run follows within `same` mm from the position `gone` on, and the nodes from which and to which it
+    /// leads.
+    pub(super) fn next(&self, run: &Path, gone: f64, same: f64) -> Option<(usize, u32, u32)> {
         let at = run.at(gone)?;
         // Few elements end where the run is, which is found out before the whole run is walked through for each.
         self.ending_near(at, NEAR)
             .filter(|&e| !self.cut[e])
-            .find_map(|e| self.follows(run, gone, e).map(|n| (e, n[0], n[1])))
+            .find_map(|e| self.follows(run, gone, same, e).map(|n| (e, n[0], n[1])))
     }
 
     /// Whether a run follows an element that is cut already.
-    pub(super) fn repeats(&self, run: &Path, gone: f64) -> bool {
-        (0..self.paths.len()).any(|e| self.cut[e] && self.follows(run, gone, e).is_some())
+    pub(super) fn repeats(&self, run: &Path, gone: f64, same: f64) -> bool {
+        (0..self.paths.len()).any(|e| self.cut[e] && self.follows(run, gone, same, e).is_some())
     }
 
-    fn follows(&self, run: &Path, gone: f64, e: usize) -> Option<[u32; 2]> {
+    fn follows(&self, run: &Path, gone: f64, same: f64, e: usize) -> Option<[u32; 2]> {
         let path = &self.paths[e];
         let length = path.length();
-        let slack = SAME + path.segments.iter().map(rounding).sum::<f64>();
         let [a, b] = self.group.elements[e].ends;
         [(false, [a, b]), (true, [b, a])].into_iter().find_map(|(back, ends)| {
             let along = |t: f64| if back { (1.0 - t) * length } else { t * length };
             let fits = [0.0, 0.25, 0.5, 0.75, 1.0].into_iter().all(|t| {
                 let (Some(p), Some(q)) = (run.at(gone + t * length), path.at(along(t))) else { return false };
-                p.distance(q) <= slack
+                p.distance(q) <= same
             });
-            (fits && gone + length <= run.length() + slack).then_some(ends)
+            (fits && gone + length <= run.length() + same).then_some(ends)
         })
     }
 

@@ -7,20 +7,24 @@
 
 use super::coverage::leads;
 use super::group_work::{NEAR, Work};
-use super::tolerance::SAME;
+use super::tolerance::{SAME, slack};
 use super::violation::Violation;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment};
 use crate::machine::{PLANS_ALL_LEVERS, Profile};
 use crate::plan::model::{Move, Plan};
 use crate::sheet::{PierceGroup, Sheet};
 
-/// For each contour, whether it is cut in one go, with no other. A pause in a sharp corner does not interrupt it.
+/// For each contour, whether it is cut in one go, with no other, and does not begin in the kerf of another one, unpierced after a
+/// move with the beam off. A pause in a sharp corner does not interrupt it.
 fn cut_alone(sheet: &Sheet, plan: &Plan) -> Vec<bool> {
     let mut starts = vec![0_u32; sheet.contours.len()];
     let mut alone = vec![true; sheet.contours.len()];
-    let mut paused = false;
+    let (mut paused, mut in_kerf) = (false, false);
     for step in &plan.moves {
         if let Move::Cut { contour, with, .. } = step {
+            if let Some(alone) = alone.get_mut(*contour as usize).filter(|_| in_kerf) {
+                *alone = false;
+            }
             if let Some(starts) = starts.get_mut(*contour as usize).filter(|_| !paused) {
                 *starts += 1;
             }
@@ -29,6 +33,8 @@ fn cut_alone(sheet: &Sheet, plan: &Plan) -> Vec<bool> {
             }
         }
         paused = matches!(step, Move::Macro { .. });
+        in_kerf = matches!(step, Move::Air { .. })
+            || in_kerf && matches!(step, Move::Wait { .. } | Move::Height { .. });
     }
     alone.into_iter().zip(starts).map(|(alone, starts)| alone && starts == 1).collect()
 }
@@ -118,10 +124,12 @@ impl<'s> Groups<'s> {
         let run = Path::new(path.to_vec(), false);
         let (length, mut gone, mut first) = (run.length(), 0.0, true);
         let mut named: Vec<u32> = Vec::new();
-        while gone < length - SAME {
-            let Some((e, node, to)) = work.next(&run, gone) else {
+        // Arcs whose ends lie beside their circle have another length backwards.
+        let same = SAME + path.iter().map(slack).sum::<f64>();
+        while gone < length - same {
+            let Some((e, node, to)) = work.next(&run, gone, same) else {
                 let at = run.at(gone).unwrap_or_default();
-                found.push(if work.repeats(&run, gone) {
+                found.push(if work.repeats(&run, gone, same) {
                     Violation::Again { step, contour }
                 } else {
                     Violation::Strays { step, contour, at }

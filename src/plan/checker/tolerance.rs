@@ -1,6 +1,6 @@
 //! Tolerances for comparing positions.
 
-use crate::geometry::Segment;
+use crate::geometry::{Segment, math};
 
 /// Largest gap between joined moves, mm: far below the step of any machine, far above rounding errors of a coordinate.
 pub(super) const JOIN: f64 = 1e-9;
@@ -24,4 +24,19 @@ pub(super) fn rounding(element: &Segment) -> f64 {
 pub(super) fn stretch(element: &Segment) -> f64 {
     let Segment::Arc(a) = element else { return 0.0 };
     (a.end.distance(a.center) - a.radius()).abs() * a.sweep.abs()
+}
+
+/// Largest deviation of points on an element that is not a fault, mm: rounding, plus the distance of its ends from its own circle,
+/// which joining over a gap causes, plus what it is longer or shorter backwards.
+pub(super) fn slack(element: &Segment) -> f64 {
+    let ends = match element {
+        Segment::Line(_) => 0.0,
+        // Where an end was moved along the circle as well, its sweep does not lead to it exactly.
+        Segment::Arc(a) if a.is_circle() => 0.0,
+        Segment::Arc(a) => {
+            let turned = a.center + math::unit(a.sweep).rotate(a.start - a.center);
+            turned.distance(a.end)
+        }
+    };
+    ends + rounding(element) + stretch(element)
 }
