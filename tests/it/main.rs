@@ -15,6 +15,7 @@ mod certificate;
 mod chain_certificate;
 mod chains;
 mod common_cuts;
+mod common_cuts_drawn;
 mod common_cuts_exact;
 mod common_cuts_grids;
 mod corners;

@@ -1,0 +1,71 @@
+//! Pieces of drawings found in public repositories, whose groups of contours were planned wrongly or refused by the check.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use crate::testkit::dxf_text::document;
+use crate::testkit::plates::{thick, together};
+use kerfway::geometry::DVec2;
+use kerfway::job::{Job, LoadOptions, MachineChoice, OutputKind, PlanOptions};
+use kerfway::machine::Profile;
+use kerfway::plan::{Move, Plan};
+use kerfway::sheet::CommonCuts;
+
+fn line([a, b]: [[f64; 2]; 2]) -> String {
+    format!("0\nLINE\n8\n0\n10\n{}\n20\n{}\n11\n{}\n21\n{}\n", a[0], a[1], b[0], b[1])
+}
+
+fn circle([x, y]: [f64; 2], radius: f64) -> String {
+    format!("0\nCIRCLE\n8\n0\n10\n{x}\n20\n{y}\n40\n{radius}\n")
+}
+
+/// A plan that passes its check, on a machine that leaves contours unfinished and on one that does not. Its program is written.
+fn plans(entities: &str) -> [Plan; 2] {
+    let options = LoadOptions { common_cuts: CommonCuts::Best, ..LoadOptions::default() };
+    [thick(), together()].map(|machine: Profile| {
+        let mut job = Job::load(document(4, "", entities).into_bytes(), "drawn.dxf", &options).unwrap();
+        let machine = MachineChoice::Profile(Box::new(machine));
+        job.start(&PlanOptions { machine, allow_off_bed: true, seed: 1, ..PlanOptions::default() }).unwrap();
+        job.run_mut().unwrap().step(3_000);
+        job.output(OutputKind::Gcode).unwrap();
+        job.plan().unwrap()
+    })
+}
+
+/// Both of its ends were one node of the group, and nothing between them was cut.
+#[test]
+fn an_open_cut_shorter_than_the_joining_tolerance_is_cut() {
+    let corners = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]];
+    let square: String = (0..4).map(|k| line([corners[k], corners[(k + 1) % 4]])).collect();
+    let [start, end] = [[10.0, 5.0], [10.0056, 5.0001]];
+    for plan in plans(&(square + &line([start, end]))) {
+        let cuts = plan.moves.iter().filter_map(|m| match m {
+            Move::Cut { path, .. } => Some(path),
+            _ => None,
+        });
+        let stub = DVec2::from(end);
+        let reaches = |at: DVec2| at.distance(stub) < 1e-9;
+        assert!(cuts.flatten().any(|s| reaches(s.start()) || reaches(s.end())));
+    }
+}
+
+/// The ends of two chords lie a millionth of a millimetre beside the circle, so the arcs between them are longer on the way back.
+#[test]
+fn chords_that_end_a_hair_beside_their_circle_are_followed() {
+    let center = [161.458_295_966_950_9, 131.788_174_786_933_7];
+    let chords = [
+        [[155.269_516_619_572, 132.114_352_066_933_7], [167.647_073_864_653_3, 132.114_352_066_933_7]],
+        [[155.696_855_970_867_7, 129.504_933_826_933_6], [167.219_734_513_357_5, 129.504_933_826_933_6]],
+    ];
+    let drawn = circle(center, 6.197_368_32) + &chords.map(line).concat();
+    for plan in plans(&drawn) {
+        assert_eq!(plan.summary.contours, 3);
+    }
+}
+
+/// A line that lies along a bend of another: each is cut in one go, and the second one begins in the kerf of the first.
+#[test]
+fn a_contour_that_begins_in_the_kerf_of_another_needs_no_piercing() {
+    let bent = [[84.968_43, 13.856_257], [83.488_128, 18.716_265], [76.229_416, 43.084_302]];
+    let straight = line([[81.819_025, 24.311_273], [84.810_33, 14.374_258]]);
+    let [_, plan] = plans(&(line([bent[0], bent[1]]) + &line([bent[1], bent[2]]) + &straight));
+    assert_eq!((plan.summary.contours, plan.summary.pierces), (2, 1));
+}
