@@ -125,7 +125,7 @@ fn starts_away_from_the_edge_or_through_parts_are_found() {
     assert!(found(&|entry| p(1.0, entry.y)), "in the waste");
     assert!(found(&|entry| p(0.0, entry.y + 14.0)), "longer than the reach");
     // A contour in several passes is pierced in each.
-    let twice = Profile { cut: Process { passes: 2, ..machine.cut.clone() }, ..machine.clone() };
+    let twice = Profile { cut: Process { passes: 2, ..machine.cut }, ..machine.clone() };
     assert!(says(&plan::check(&sheet, &twice, &plan).unwrap_err(), "joins contours that are not cut alike"));
     // Without the lever, with marks, or where no sheet is known, there are none.
     let pierces =
