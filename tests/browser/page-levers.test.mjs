@@ -150,16 +150,27 @@ for (const size of ['desktop', 'phone']) {
   });
 }
 
-test('parts that come off their bridges may tip, and are marked', async (t) => {
+/** Four parts on a machine that connects them by bridges. */
+async function connected(t) {
   const plate = dxf(square(10, 10, 60), square(78, 30, 20), square(106, 30, 20), square(160, 10, 12));
   const page = await openPlanned(t, 'fibre-6kw-thick', 'plate.dxf', plate);
   const machine = await machineSection(page, SIZES.desktop);
   await machine.getByText('Advanced settings', { exact: true }).click();
   await replanned(page, () => machine.getByLabel('Pierce time').fill('3'));
   await replanned(page, () => machine.getByLabel('Connect parts by bridges').check());
+  return { page, machine };
+}
+
+/** Cuts the bridges later, and small pieces drop. */
+async function dropping(page, machine) {
   await replanned(page, () => machine.getByLabel('Cut them later').check());
   await replanned(page, () => machine.getByLabel('Mind pieces that tip').check());
   await replanned(page, () => machine.getByLabel('Pieces drop below').fill('5'));
+}
+
+test('parts that come off their bridges may tip, and are marked', async (t) => {
+  const { page, machine } = await connected(t);
+  await dropping(page, machine);
   assert.equal((await plan(page)).summary.bridges, undefined, 'no part stays');
   await replanned(page, () => machine.getByLabel('Pieces tip below').fill('40'));
   await shot(page, 'bridges-tips-desktop');
@@ -168,16 +179,9 @@ test('parts that come off their bridges may tip, and are marked', async (t) => {
 });
 
 test('strips that may tip were not painted, and the number of parts that bridges connect had an empty field', async (t) => {
-  const plate = dxf(square(10, 10, 60), square(78, 30, 20), square(106, 30, 20), square(160, 10, 12));
-  const page = await openPlanned(t, 'fibre-6kw-thick', 'plate.dxf', plate);
-  const machine = await machineSection(page, SIZES.desktop);
-  await machine.getByText('Advanced settings', { exact: true }).click();
-  await replanned(page, () => machine.getByLabel('Pierce time').fill('3'));
-  await replanned(page, () => machine.getByLabel('Connect parts by bridges').check());
+  const { page, machine } = await connected(t);
   assert.equal(await machine.getByLabel('Most parts together').getAttribute('placeholder'), 'no limit');
-  await replanned(page, () => machine.getByLabel('Cut them later').check());
-  await replanned(page, () => machine.getByLabel('Mind pieces that tip').check());
-  await replanned(page, () => machine.getByLabel('Pieces drop below').fill('5'));
+  await dropping(page, machine);
   await replanned(page, () => machine.getByLabel('Pieces tip below').fill('40'));
   await still(page);
   await shot(page, 'strips-tip');
