@@ -52,21 +52,18 @@ impl<'s> Work<'s> {
     }
 
     /// The elements with an end no farther than this from a place, in order.
-    pub(super) fn ending_near(&self, at: DVec2, far: f64) -> impl Iterator<Item = usize> {
+    pub(super) fn ending_near(&self, at: DVec2, far: f64) -> Vec<usize> {
         let mut near = self.ends.query(Aabb::of(at).grown(far));
         near.iter_mut().for_each(|end| *end /= 2);
         near.dedup();
-        near.into_iter().filter(move |&e| {
-            [self.paths[e].start(), self.paths[e].end()]
-                .into_iter()
-                .flatten()
-                .any(|end| end.distance(at) <= far)
-        })
+        let is_near = |end: Option<DVec2>| end.is_some_and(|end| end.distance(at) <= far);
+        near.retain(|&e| is_near(self.paths[e].start()) || is_near(self.paths[e].end()));
+        near
     }
 
     /// The node at a place.
     pub(super) fn node(&self, at: DVec2) -> Option<u32> {
-        let nodes = self.ending_near(at, NEAR).flat_map(|e| self.group.elements[e].ends);
+        let nodes = self.ending_near(at, NEAR).into_iter().flat_map(|e| self.group.elements[e].ends);
         let is_here = |n: &u32| self.group.nodes.get(*n as usize).is_some_and(|n| n.distance(at) <= SAME);
         nodes.filter(is_here).min()
     }
@@ -76,9 +73,8 @@ impl<'s> Work<'s> {
     pub(super) fn next(&self, run: &Path, gone: f64, same: f64) -> Option<(usize, u32, u32)> {
         let at = run.at(gone)?;
         // Few elements end where the run is, which is found out before the whole run is walked through for each.
-        self.ending_near(at, NEAR)
-            .filter(|&e| !self.cut[e])
-            .find_map(|e| self.follows(run, gone, same, e).map(|n| (e, n[0], n[1])))
+        let mut near = self.ending_near(at, NEAR).into_iter().filter(|&e| !self.cut[e]);
+        near.find_map(|e| self.follows(run, gone, same, e).map(|n| (e, n[0], n[1])))
     }
 
     /// Whether a run follows an element that is cut already.
@@ -140,13 +136,14 @@ impl<'s> Work<'s> {
     /// Whether a stretch that ends at a node has been cut.
     pub(super) fn is_on_kerf(&self, node: u32) -> bool {
         let place = self.group.nodes.get(node as usize);
-        place.is_some_and(|node| self.ending_near(*node, SAME).any(|e| self.cut[e]))
+        place.is_some_and(|node| self.ending_near(*node, SAME).iter().any(|&e| self.cut[e]))
     }
 
     /// Whether an area at a node has been cut free.
     pub(super) fn is_loose(&self, node: u32) -> bool {
-        let near = self.group.nodes.get(node as usize).map(|place| self.ending_near(*place, NEAR));
-        let mut elements = near.into_iter().flatten().map(|e| &self.group.elements[e]);
+        let place = self.group.nodes.get(node as usize);
+        let near = place.map_or_else(Vec::new, |place| self.ending_near(*place, NEAR));
+        let mut elements = near.iter().map(|&e| &self.group.elements[e]);
         elements.any(|e| e.ends.contains(&node) && e.faces.iter().any(|&f| self.free[f as usize].is_some()))
     }
 

@@ -95,7 +95,7 @@ impl<'s> Groups<'s> {
         };
         let Some(node) = work.node(head) else { return false };
         let ahead = Path::new(ahead.to_vec(), false);
-        let fits = work.ending_near(head, NEAR).filter(|&e| !work.cut[e]).any(|e| {
+        let fits = work.ending_near(head, NEAR).into_iter().filter(|&e| !work.cut[e]).any(|e| {
             let (e, path) = (&work.group.elements[e], &work.paths[e]);
             let [from, to] = e.ends;
             e.contour == contour
