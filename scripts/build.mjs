@@ -204,7 +204,7 @@ function compress() {
  * How short distances are coded: with codes of their own they suit wasm, whose functions repeat what was near. Which of these suits the core best
  * changes with every build, by up to half a kB, so all are tried. Other files are smaller without.
  */
-const DISTANCES = [[0, 0], [0, 15], [1, 20], [1, 30]];
+const DISTANCES = [[0, 0], [0, 15], [1, 20], [1, 24], [1, 30]];
 
 async function smallest(bytes) {
   const { BROTLI_PARAM_NPOSTFIX: postfix, BROTLI_PARAM_NDIRECT: direct } = constants;

@@ -42,6 +42,8 @@ export default defineConfig({
   worker: { format: 'es' },
   build: {
     outDir: at('../../dist/app'), emptyOutDir: true, target: 'es2022',
+    // Nothing is preloaded that an old browser would have to be taught.
+    modulePreload: { polyfill: false },
     rolldownOptions: {
       // The page opens planners itself: reading a function of the package that it does not call keeps nothing.
       treeshake: { propertyReadSideEffects: false },
