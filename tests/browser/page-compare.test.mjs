@@ -46,8 +46,12 @@ for (const [name, size] of Object.entries(SIZES)) {
   });
 }
 
+/** Most times that a search is continued. */
+const SEARCHES = 40;
+
 test('side by side, the times of the drawing before and of an older plan were shown', async (t) => {
-  const { page } = await openPage(t, { hash: 'seconds=0.4&seed=1' });
+  // On this machine the job takes so short that tenths of a second are shown, and so brief a search leaves something to find.
+  const { page } = await openPage(t, { hash: 'machine=fibre-3kw-thin&seconds=0.05&seed=1' });
   await phase(page, 'done');
   const split = page.getByRole('button', { name: 'Show side by side with the plan' });
   const labels = () => ['.first-label', '.second-label'].map((name) => document.querySelector(name).textContent);
@@ -56,8 +60,10 @@ test('side by side, the times of the drawing before and of an older plan were sh
   const now = () => row(page, 'Now');
   const before = await now();
   await page.evaluate(() => document.activeElement.blur());
-  await page.keyboard.press('k');
-  await page.waitForFunction((time) => document.body.dataset.phase === 'done' && document.querySelector('.compare .solid td').textContent !== time, before);
+  for (let more = 0; more < SEARCHES && (await now()) === before; more++) {
+    await replanned(page, () => page.keyboard.press('k'));
+  }
+  assert.notEqual(await now(), before, 'a better path was found');
   assert.equal(await page.locator('.first-label').textContent(), `Now · ${await now()}`);
   await drop(page, 'grid.dxf', grid(20));
   await planned(page, 'grid.dxf', 'done');
