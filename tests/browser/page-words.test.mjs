@@ -139,7 +139,9 @@ test('in German, a border is asked about in German, and numbers of the bed, the 
   await phase(page, 'question');
   const question = await page.locator('.question').textContent();
   assert.match(question, /vielleicht die Tafel und kein Schnitt: 1 Teil liegt darin\. Es wird/);
-  await drop(page, 'off.dxf', Buffer.from(dxf(square(-20.5, 10, 50))));
+  // With holes enough for a search to find something, so that there is a chart.
+  const holes = Array.from({ length: 16 }, (_, k) => circle(-15 + ((37 * k) % 41), 14 + ((23 * k) % 43), 0.5));
+  await drop(page, 'off.dxf', Buffer.from(dxf(square(-20.5, 10, 50), ...holes)));
   await planned(page, 'off.dxf', 'done');
   await openEverything(page);
   assert.match(await page.locator('.advice').textContent(), /von x -20,5 bis 29,5 und y 10 bis 60 mm, über den Arbeitsbereich hinaus/);
