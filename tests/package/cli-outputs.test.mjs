@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { chmodSync, chownSync, closeSync, existsSync, openSync, readdirSync, readFileSync, utimesSync, writeFileSync } from 'node:fs';
+import { chmodSync, chownSync, closeSync, existsSync, mkdirSync, openSync, readdirSync, readFileSync, utimesSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
@@ -168,6 +168,16 @@ describe('outputs of one drawing', () => {
     utimesSync(lock, new Date(2020, 1, 1), new Date(2020, 1, 1));
     assert.equal((await run(['plan', join(from, 'a.dxf'), ...QUICK, '--json', join(to, 'a.json'), '--gcode', join(to, 'a.nc')])).code, 0);
     assert.deepEqual(readdirSync(to).sort(), ['a.json', 'a.nc']);
+  });
+
+  it('are written although a lock that was left behind cannot be removed', async (t) => {
+    const [from, to] = [inputs(t), folder(t)];
+    // A folder stands for a file of another person in a folder of all: it cannot be made anew, nor removed as a file.
+    const lock = join(to, '.kerfway-lock.tmp');
+    mkdirSync(lock);
+    utimesSync(lock, new Date(2020, 1, 1), new Date(2020, 1, 1));
+    assert.equal((await run(['plan', join(from, 'a.dxf'), ...QUICK, '--json', join(to, 'a.json'), '--gcode', join(to, 'a.nc')])).code, 0);
+    assert.deepEqual(readdirSync(to).sort(), ['.kerfway-lock.tmp', 'a.json', 'a.nc']);
   });
 
   it('are written even if the reader of standard output stops', { skip: !POSIX && 'there is no shell' }, async (t) => {

@@ -41,8 +41,12 @@ async function taken(lock: string): Promise<boolean> {
     } catch (error) {
       if ((error as NodeJS.ErrnoException).code !== 'EEXIST') return false;
     }
-    if (isStale(lock)) remove(lock);
-    else await wait(PAUSE);
+    if (!isStale(lock)) await wait(PAUSE);
+    else {
+      remove(lock);
+      // What is left of another person's program may not be removed.
+      if (isStale(lock)) return false;
+    }
   }
 }
 
