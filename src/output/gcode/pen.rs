@@ -7,8 +7,9 @@
 //! onto the perpendicular bisector of the rounded chord, so both radii agree up to the rounding of I and J themselves. An
 //! arc that coincides with its chord after rounding is written as a line, and an element that rounds to one point is
 //! skipped. So is an element shorter than a step of the grid within a cut: rounding would turn it into another direction,
-//! and the controller would slow down for a corner that nobody drew. An arc that a controller might refuse or distort, because of its 32-bit numbers or because I and J have few
-//! decimals, is written as chords (`grbl_arc.rs`), as is every arc in a dialect without arcs.
+//! and the controller would slow down for a corner that nobody drew. An arc that a controller might refuse or distort,
+//! because of its 32-bit numbers or because I and J have few decimals, is written as chords (`grbl_arc.rs`), as is every
+//! arc in a dialect without arcs.
 //!
 //! Every motion, as written, lies within 0.002 mm of its element, or within the dialect's tolerance of chords.
 

@@ -7,7 +7,7 @@ use super::vertices::with_vertices;
 use crate::geometry::{DVec2, Path, Union};
 use crate::order::{real, sort_by};
 
-/// Breaks within so many tolerances of each other are one node.
+/// Breaks that are at most this far apart, in tolerances, are one node.
 pub(super) const SAME_NODE: f64 = 2.0;
 
 /// A place on a contour where its group has a node.

@@ -133,7 +133,7 @@ fn meeting(a: Option<Segment>, b: Option<Segment>) -> Option<(Segment, Segment)>
     Some((prolonged(a, &beyond, met.a, tip), prolonged(b.reversed(), &before, met.b, tip).reversed()))
 }
 
-/// What follows an element on its own line or circle, so many mm; `None` on a small circle.
+/// The next `length` mm of the line or circle of an element, beyond its end; `None` on a circle that is small for that.
 fn prolongation(s: &Segment, length: f64) -> Option<Segment> {
     let end = s.end();
     match s {
