@@ -37,7 +37,7 @@ pub(super) fn contour_cuts(plan: &Plan) -> Vec<Cut<'_>> {
 fn collect(plan: &Plan, joined: bool) -> Vec<Cut<'_>> {
     let mut all: Vec<Cut> = Vec::with_capacity(plan.moves.len());
     let (mut goes_on, mut after_cut, mut pierced, mut height) = (false, false, false, 0.0);
-    for step in &plan.moves {
+    for (index, step) in plan.moves.iter().enumerate() {
         if let Move::Cut { contour, path, mark, leads, .. } = step
             && let Some(first) = path.first()
         {
@@ -56,9 +56,10 @@ fn collect(plan: &Plan, joined: bool) -> Vec<Cut<'_>> {
         if let (Move::Chain { path }, true, Some(first)) = (step, joined, chain_of(step).first()) {
             match all.last_mut().filter(|_| after_cut) {
                 Some(before) => before.path.to_mut().extend_from_slice(path),
-                // On a kerf a new cut begins, which is not pierced.
+                // On a kerf the cut of the next contour begins, which is not pierced.
                 None => {
-                    let contour = all.last().map_or(0, |c| c.contour);
+                    let Some(Move::Cut { contour, .. }) = plan.moves.get(index + 1) else { continue };
+                    let contour = *contour;
                     let (entry, path) = (first.start(), Cow::Borrowed(path.as_slice()));
                     let leads = Leads::default();
                     all.push(Cut { contour, entry, path, mark: false, pierced: false, z: height, leads });

@@ -104,6 +104,9 @@ fn notes(plan: &Plan, profile: &Profile, cuts: &[Cut]) -> Vec<String> {
     if plan.moves.iter().any(|m| matches!(m, Move::Macro { .. })) {
         notes.push("The pauses in sharp corners are not in this project: LightBurn has none.".to_owned());
     }
+    if plan.moves.iter().any(|m| matches!(m, Move::PreCut { ahead, .. } if !ahead.is_empty())) {
+        notes.push("The pre-cuts are not in this project: LightBurn has none.".to_owned());
+    }
     if plan.summary.waits > 0 {
         notes.push("The waits until it has cooled are not in this project: LightBurn has none.".to_owned());
     }

@@ -2,6 +2,7 @@
 
 use crate::testkit::grbl_planner::{self, Machine, Settings};
 use crate::testkit::linuxcnc_planner;
+use crate::testkit::outlines::drawing;
 use crate::testkit::paths::Element;
 use crate::testkit::{files, fixtures, name};
 use glam::DVec2;
@@ -241,4 +242,17 @@ fn a_buffer_without_end_gives_the_seconds_of_the_endless_look_ahead() {
     assert!((whole - endless).abs() < 1e-9, "{whole} {endless}");
     let short = grbl_planner::program_seconds(machine(3), &program);
     assert!(short > endless, "fewer blocks never are faster: {short} {endless}");
+}
+
+/// Rounding would turn lines of a few micrometres into other directions, with a corner between each two of them.
+#[test]
+fn a_circle_of_thousands_of_short_lines_takes_as_long_as_planned() {
+    let at = |k: u32| DVec2::new(50.0, 50.0) + 10.0 * DVec2::from_angle(TAU * f64::from(k) / 8000.0);
+    let ring: Vec<DVec2> = (0..8000).map(at).collect();
+    let mut job = Job::load(drawing(&[ring]), "ring.dxf", &LoadOptions::default()).unwrap();
+    let machine = MachineChoice::Preset("fibre-3kw-thin".into());
+    job.start(&PlanOptions { machine, moves: Some(100), ..PlanOptions::default() }).unwrap();
+    job.run_mut().unwrap().step(100);
+    let (program, plan) = (job.preflight().unwrap().seconds, job.plan().unwrap().summary.total_time);
+    assert!((program / plan - 1.0).abs() < 0.005, "{program} s, planned {plan} s");
 }

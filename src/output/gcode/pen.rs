@@ -6,8 +6,9 @@
 //! controllers differ on arcs that end where they start. I and J are computed from the rounded ends: the centre is moved
 //! onto the perpendicular bisector of the rounded chord, so both radii agree up to the rounding of I and J themselves. An
 //! arc that coincides with its chord after rounding is written as a line, and an element that rounds to one point is
-//! skipped. So is an element shorter than a step of the grid within a cut: rounding would turn it into another direction,
-//! and the controller would slow down for a corner that nobody drew. An arc that a controller might refuse or distort,
+//! skipped. So is an element shorter than a step of the grid within a cut, and a place between short lines that a longer line
+//! passes within half a step: rounding would turn them into other directions, and the controller would slow down for corners that
+//! nobody drew. An arc that a controller might refuse or distort,
 //! because of its 32-bit numbers or because I and J have few decimals, is written as chords (`grbl_arc.rs`), as is every
 //! arc in a dialect without arcs.
 //!
@@ -34,6 +35,8 @@ const INLINE_DARK: &str = "M3 I S0";
 /// Largest distance between an arc and the chords written for it in a dialect with arcs, mm. With the rounding of their
 /// ends, 0.0007 mm, it is less than the 0.002 mm that GRBL itself allows for the chords of an arc.
 const CHORD_DEVIATION: f64 = 0.001;
+/// Lines of fewer steps of the grid are short: rounding turns longer ones by 2 degrees at most.
+const SHORT: f64 = 40.0;
 /// Share of a dialect's tolerance that chords take; the rest is for the rounding of their ends.
 const CHORD_SHARE: f64 = 0.5;
 
@@ -102,8 +105,7 @@ impl<'d> Pen<'d> {
             if self.start.is_absolute() || line.starts_with(';') {
                 self.lines.push_template(line, facts);
             } else {
-                let relative = line.split(' ').map(|word| if word == "G90" { "G91" } else { word });
-                self.lines.push_template(&relative.collect::<Vec<_>>().join(" "), facts);
+                self.lines.push_template(&relative(line), facts);
             }
         }
     }
@@ -139,13 +141,15 @@ impl<'d> Pen<'d> {
 
     /// Moves along the elements of a cut with the beam on.
     pub(super) fn cut(&mut self, path: &[Segment]) {
-        let Some((last, before)) = path.split_last() else { return };
-        for segment in before {
-            if !self.is_within_a_step(segment) {
+        let mut passed: Vec<DVec2> = Vec::new();
+        for (segment, next) in path.iter().zip(path.iter().skip(1)) {
+            passed.push(segment.end());
+            if !self.is_within_a_step(segment) && !self.passes(&passed, segment, next) {
                 self.element(segment);
+                passed.clear();
             }
         }
-        self.element(last);
+        path.last().into_iter().for_each(|last| self.element(last));
     }
 
     fn element(&mut self, segment: &Segment) {
@@ -260,6 +264,16 @@ impl<'d> Pen<'d> {
         segment.length() < step && segment.end().distance(self.at * unit) < step
     }
 
+    /// Whether a short line from where the head is to the end of the next line passes these places, the last of which is between
+    /// the two lines.
+    fn passes(&self, places: &[DVec2], line: &Segment, next: &Segment) -> bool {
+        let (Segment::Line(_), Segment::Line(_)) = (line, next) else { return false };
+        let unit = self.dialect.units.mm();
+        let step = unit / self.grid;
+        let whole = Segment::line(self.at * unit, next.end());
+        whole.length() < SHORT * step && places.iter().all(|p| whole.nearest(*p).1.sqrt() <= 0.5 * step)
+    }
+
     fn half_grid(&self) -> f64 {
         0.5 / self.grid
     }
@@ -268,4 +282,14 @@ impl<'d> Pen<'d> {
     fn same(&self, a: DVec2, b: DVec2) -> bool {
         (a - b).abs().max_element() < self.half_grid()
     }
+}
+
+/// A line of a header with G91 for G90, but not for G90.1; blanks between words may be missing.
+fn relative(line: &str) -> String {
+    let mut words = line.split("G90");
+    let first = words.next().unwrap_or_default().to_owned();
+    words.fold(first, |line, after| {
+        let is_g90 = !after.starts_with(|c: char| c == '.' || c.is_ascii_digit());
+        line + if is_g90 { "G91" } else { "G90" } + after
+    })
 }

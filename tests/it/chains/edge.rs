@@ -4,7 +4,7 @@ use super::checker::says;
 use super::{chaining, near, starting};
 use crate::testkit::exact::search_of_exact_cost;
 use crate::testkit::leads::oriented;
-use crate::testkit::sheets::{Builder, Dice, p, rectangle};
+use crate::testkit::sheets::{Builder, Dice, line, p, rectangle};
 use kerfway::geometry::{DVec2, Segment};
 use kerfway::machine::dialect::{DialectChoice, dialects};
 use kerfway::machine::{AirTime, Process, Profile, Start, cut_time};
@@ -101,6 +101,30 @@ fn cuts_begin_at_the_edge_of_the_sheet_without_piercing() {
             assert!((found - least).abs() < 1e-6, "seed {seed}: {found} {least}");
         }
     }
+}
+
+/// Formats that write a start on the edge as part of a cut gave it the layer of the contour before, and its power and speed.
+#[test]
+fn a_start_at_the_edge_belongs_to_the_contour_that_it_leads_to() {
+    let mut machine = starting(15.0, 1.0);
+    machine.mark = Process { speed: 55.0, power: 0.1, ..machine.mark };
+    let mut b = Builder::new();
+    for k in 0..3 {
+        b.cut(rectangle(p(10.0, 40.0 + 50.0 * f64::from(k)), p(20.0, 20.0)), None);
+    }
+    b.mark(line(p(60.0, 20.0), p(80.0, 20.0)), None);
+    let mut sheet = oriented(b.sheet);
+    sheet.ignored.push(Ignored { path: rectangle(p(0.0, 0.0), p(300.0, 200.0)), layer: 0 });
+    let plan = search_of_exact_cost(&sheet, &machine, 1).2;
+    assert_eq!(plan.summary.edge_starts, 3);
+    let facts = SheetFacts::of(&sheet);
+    let project = output::lbrn2(&plan, &facts, &machine).unwrap();
+    let speeds: Vec<&str> = project.lines().filter(|l| l.contains("<speed ")).collect();
+    assert_eq!(speeds.len(), 2, "a layer of marks and one of cuts: {speeds:?}");
+    let cut_index = |shape: &str| shape.split("CutIndex=\"").nth(1).unwrap().chars().next().unwrap();
+    let shapes: Vec<char> = project.lines().filter(|l| l.contains("<Shape ")).map(cut_index).collect();
+    let marks = shapes.iter().filter(|c| **c == shapes[0]).count();
+    assert_eq!((shapes.len(), marks), (4, 1), "{shapes:?}");
 }
 
 #[test]

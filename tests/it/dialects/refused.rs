@@ -2,7 +2,6 @@
 
 use super::{machine, with};
 use crate::testkit::plans;
-use kerfway::geometry::Segment;
 use kerfway::machine::dialect::{Dialect, DialectChoice, dialects};
 use kerfway::machine::{Profile, Start};
 use kerfway::output;
@@ -187,20 +186,6 @@ fn what_a_dialect_cannot_do_is_refused_in_a_sentence_that_names_it() {
         error,
         "Smoothieware (dialect \"smoothie\") cannot pierce at rest: set the machine's piercing time and beam-on delay to 0, \
          or choose a dialect that pierces."
-    );
-    let stays = Profile { return_home: false, ..with(&machine(), DialectChoice::named("mach4-m67")) };
-    let stop = plans::Stop {
-        layer: 0,
-        operation: kerfway::sheet::Operation::Cut,
-        path: kerfway::geometry::Path::new(vec![Segment::line(glam::DVec2::X, glam::DVec2::Y)], false),
-    };
-    let (sheet, plan) = plans::plan_of(vec![stop], &[("0", 7)], &stays);
-    let error = output::gcode(&plan, &output::SheetFacts::of(&sheet), &stays, "x", Start::Absolute)
-        .unwrap_err()
-        .to_string();
-    assert!(
-        error.starts_with("Mach4 (dialect \"mach4-m67\") switches the beam off with the next motion only"),
-        "{error}"
     );
 }
 

@@ -159,8 +159,8 @@ impl<'d> Beam<'d> {
             PowerBy::LaserM4 | PowerBy::LaserM3 | PowerBy::SpindleM3 | PowerBy::InlineM3 => {
                 self.spindle == Spindle::Off
             }
-            // It fires during motions only.
-            PowerBy::Motion => true,
+            // It fires during motions only, and the next one would have this power.
+            PowerBy::Motion => self.s == 0.0,
             PowerBy::OutputM67 | PowerBy::FanM106 | PowerBy::Macro => level == 0.0,
         }
     }

@@ -190,7 +190,8 @@ impl Reader<'_, '_> {
                 }
             }
         }
-        if let Some(m) = [970, 980].into_iter().find(|&m| is('M', m)) {
+        let calls = [970, 980].into_iter().find(|&m| is('M', m));
+        if let Some(m) = calls.filter(|_| !self.macros.hold(&line.command)) {
             let (number, m) = (self.number, m / 10);
             self.problems.error(Code::Unreadable, Some(number), || {
                 format!("Line {number} calls another program by M{m}, which this check does not see, so it cannot say what the machine does.")

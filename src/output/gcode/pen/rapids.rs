@@ -62,6 +62,15 @@ impl Pen<'_> {
         self.at = to;
     }
 
+    /// Takes the power back that motions would go on with, by a rapid to where the head is, if the last rapid has not.
+    pub(in crate::output::gcode) fn take_power_back(&mut self) {
+        if self.power_in_force != "0" {
+            let line = self.rapid_line(self.at, &format!(" {}0", self.dialect.power.word));
+            self.lines.push(&line);
+            "0".clone_into(&mut self.power_in_force);
+        }
+    }
+
     /// Moves to a height with the beam off, like every rapid.
     pub(in crate::output::gcode) fn lower_to(&mut self, z: f64) {
         if (self.z - self.rounded_height(z)).abs() >= self.half_grid() {
