@@ -46,7 +46,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     exclude::exclude(&mut contours, &options.exclude, copy, &mut findings);
     exclude::mark(&mut contours, &options.mark, copy);
     let in_groups = lettering::find(drawing, &mut contours, &options.groups, &mut findings);
-    // Where areas were not searched for, an open line may well free a part, and one finding has told of it.
+    // Where areas were not searched for, an open line may well free a part, which one finding already reports.
     if searched {
         findings::open_contours(drawing, &contours, &in_groups, &mut findings);
     }

@@ -146,6 +146,11 @@ impl Piece {
         let mut cuts: Vec<f64> = Vec::new();
         for (a, b) in self.edges() {
             let edge = b - a;
+            // Where an edge that the move runs along ends, what follows may be over the piece.
+            let t = (a - from).dot(way) / way.length_squared();
+            if (a - from).perp_dot(way).abs() <= DEPTH * way.length() && t > 0.0 && t < 1.0 {
+                cuts.push(t);
+            }
             if (a - from).perp_dot(way) * (b - from).perp_dot(way) > 0.0 {
                 // Both corners are on one side.
                 continue;
@@ -285,6 +290,18 @@ mod tests {
         assert!(!crossed(p(0.0, 20.0), p(0.0, 60.0)), "from a corner away");
         assert!(!crossed(p(0.0, 0.0), p(20.0, 0.0)), "along an edge");
         assert!(!crossed(p(5.0, 5.0), p(15.0, 15.0)), "within it");
+    }
+
+    /// The move runs along the edge below the notch, and is over the piece after that. By rounding it passes a hair below the corner.
+    #[test]
+    fn a_move_along_an_edge_and_then_over_the_piece_crosses_it() {
+        let y = 73.712_916_666_666_7;
+        let notched = [(67.0, y), (126.0, y), (126.0, 88.0), (138.0, 88.0), (138.0, 60.0), (67.0, 60.0)];
+        let piece = Piece::new(vec![0], notched.map(|(x, y)| p(x, y)).to_vec());
+        let [from, corner, beyond] = [p(67.0, y), p(126.0, y), p(210.0, y - 2e-14)];
+        assert!(beyond.y < y);
+        assert!(piece.is_crossed(from, beyond, 5.0) && piece.is_crossed(beyond, from, 5.0));
+        assert!(!piece.is_crossed(from, corner, 5.0) && piece.is_crossed(corner, beyond, 5.0));
     }
 
     #[test]

@@ -13,15 +13,29 @@ fn line([a, b]: [[f64; 2]; 2]) -> String {
     format!("0\nLINE\n8\n0\n10\n{}\n20\n{}\n11\n{}\n21\n{}\n", a[0], a[1], b[0], b[1])
 }
 
+fn outline(corners: &[[f64; 2]]) -> String {
+    let vertices = corners.iter().map(|[x, y]| format!("10\n{x}\n20\n{y}\n"));
+    format!("0\nLWPOLYLINE\n8\n0\n90\n{}\n70\n1\n", corners.len()) + &vertices.collect::<String>()
+}
+
 fn circle([x, y]: [f64; 2], radius: f64) -> String {
     format!("0\nCIRCLE\n8\n0\n10\n{x}\n20\n{y}\n40\n{radius}\n")
 }
 
+/// A drawing in the file's unit, which is millimetres (4) or inches (1).
+fn load(unit: u32, entities: &str) -> Job {
+    let options = LoadOptions { common_cuts: CommonCuts::Best, ..LoadOptions::default() };
+    Job::load(document(unit, "", entities).into_bytes(), "drawn.dxf", &options).unwrap()
+}
+
 /// A plan that passes its check, on a machine that leaves contours unfinished and on one that does not. Its program is written.
 fn plans(entities: &str) -> [Plan; 2] {
-    let options = LoadOptions { common_cuts: CommonCuts::Best, ..LoadOptions::default() };
+    planned(|| load(4, entities))
+}
+
+fn planned(load: impl Fn() -> Job) -> [Plan; 2] {
     [thick(), together()].map(|machine: Profile| {
-        let mut job = Job::load(document(4, "", entities).into_bytes(), "drawn.dxf", &options).unwrap();
+        let mut job = load();
         let machine = MachineChoice::Profile(Box::new(machine));
         job.start(&PlanOptions { machine, allow_off_bed: true, seed: 1, ..PlanOptions::default() }).unwrap();
         job.run_mut().unwrap().step(3_000);
@@ -68,4 +82,47 @@ fn a_contour_that_begins_in_the_kerf_of_another_needs_no_piercing() {
     let straight = line([[81.819_025, 24.311_273], [84.810_33, 14.374_258]]);
     let [_, plan] = plans(&(line([bent[0], bent[1]]) + &line([bent[1], bent[2]]) + &straight));
     assert_eq!((plan.summary.contours, plan.summary.pierces), (2, 1));
+}
+
+/// Lines that cross make two parts side by side, of which one keeps the upper half of its outline. A line in its lower half touches a line
+/// outside: they were a group, and the part was cut out before the line in it.
+#[test]
+fn a_line_that_ends_on_the_side_of_an_outline_that_a_neighbour_cuts_is_in_no_group() {
+    let crossing = [
+        [[274.0, -110.0], [24.0, -110.0]],
+        [[244.0, 0.0], [244.0, -130.0]],
+        [[189.0, 0.0], [189.0, -130.0]],
+        [[199.0, -112.0], [174.0, -112.0]],
+        [[199.0, -112.0], [199.0, -100.0]],
+        [[174.0, -75.0], [199.0, -75.0]],
+        [[274.0, -50.0], [24.0, -50.0]],
+    ];
+    let triangle = |x: f64| outline(&[[x, -90.0], [x + 20.0, -90.0], [x, -87.0]]);
+    let drawn = crossing.map(line).concat() + &triangle(189.0) + &triangle(244.0);
+    assert!(load(4, &drawn).sheet().groups.is_empty());
+    for plan in plans(&drawn) {
+        assert_eq!(plan.summary.contours, 12);
+    }
+}
+
+/// Of six contours that touch, each is cut by itself: the circle as it was drawn, not through the end of a line 9 nm beside it.
+#[test]
+fn a_circle_that_a_line_ends_beside_is_as_large_as_drawn() {
+    let lines = [
+        [[4.977_520_694_2, 4.432_520_881_42], [5.477_520_694_2, 3.566_494_881_42]],
+        [[0.897_393_694_198, 1.499_507_881_42], [5.897_393_694_2, 1.499_507_881_42]],
+        [[0.897_393_694_198, 1.499_507_881_42], [3.397_393_694_2, 5.829_634_881_42]],
+        [[0.897_393_694_198, 1.499_507_881_42], [5.227_520_694_2, 3.999_507_881_42]],
+        [[2.964_381_694_2, 6.079_634_881_42], [3.830_406_694_2, 5.579_634_881_42]],
+        [[5.897_393_694_2, 1.999_507_881_42], [5.897_393_694_2, 0.999_507_881_422]],
+    ];
+    let center = [0.031_368_694_197_8, 0.999_507_881_422];
+    let drawn = lines.map(line).concat() + &circle(center, 1.0);
+    for plan in planned(|| load(1, &drawn)) {
+        assert!(
+            (plan.summary.bounds[0] - 25.4 * (center[0] - 1.0)).abs() < 1e-4,
+            "{:?}",
+            plan.summary.bounds
+        );
+    }
 }

@@ -69,12 +69,14 @@ impl<'s> Work<'s> {
     }
 
     /// The uncut element that a run follows within `same` mm from the position `gone` on, and the nodes from which and to which it
-    /// leads.
-    pub(super) fn next(&self, run: &Path, gone: f64, same: f64) -> Option<(usize, u32, u32)> {
+    /// leads. Where several elements lie on each other, it is that of the contour which the run names first.
+    pub(super) fn next(&self, run: &Path, gone: f64, same: f64, named: &[u32]) -> Option<(usize, u32, u32)> {
         let at = run.at(gone)?;
         // Few elements end where the run is, which is found out before the whole run is walked through for each.
-        let mut near = self.ending_near(at, NEAR).into_iter().filter(|&e| !self.cut[e]);
-        near.find_map(|e| self.follows(run, gone, same, e).map(|n| (e, n[0], n[1])))
+        let near = self.ending_near(at, NEAR).into_iter().filter(|&e| !self.cut[e]);
+        let followed = near.filter_map(|e| self.follows(run, gone, same, e).map(|n| (e, n[0], n[1])));
+        let place = |e: usize| named.iter().position(|c| *c == self.group.elements[e].contour);
+        followed.min_by_key(|&(e, ..)| place(e).unwrap_or(usize::MAX))
     }
 
     /// Whether a run follows an element that is cut already.

@@ -127,7 +127,7 @@ impl<'s> Groups<'s> {
         // Arcs whose ends lie beside their circle have another length backwards.
         let same = SAME + path.iter().map(slack).sum::<f64>();
         while gone < length - same {
-            let Some((e, node, to)) = work.next(&run, gone, same) else {
+            let Some((e, node, to)) = work.next(&run, gone, same, contours) else {
                 let at = run.at(gone).unwrap_or_default();
                 found.push(if work.repeats(&run, gone, same) {
                     Violation::Again { step, contour }

@@ -77,7 +77,7 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     groups.finish(|c| visits.ends(c), &mut found);
     order::check(sheet, machine, &visits, &groups, &mut found);
     passes::check(sheet, machine, plan, &visits, &mut found);
-    sums::check(sheet, machine, as_planned, &mut found);
+    sums::check(sheet, machine, &groups, as_planned, &mut found);
     kerf::check(sheet, machine, plan, &mut found);
     leads::check(sheet, machine, plan, |c| flown.holds(c), &mut found);
     corners::check(sheet, machine, as_planned, |c| flown.holds(c), &mut found);
@@ -305,7 +305,7 @@ fn follow(
         }
     }
     if pierced || moving || flies || chains {
-        found.push(Violation::Beam { step: plan.moves.len(), what: "pierces and ends" });
+        found.push(Violation::Beam { step: plan.moves.len(), what: "ends before a cut that it began" });
     }
     let left = head.distance(machine.home());
     if machine.return_home && left > JOIN {

@@ -3,6 +3,7 @@
 //! The trapezoidal motion of an air move is computed here a second time on purpose, in the plain form of textbooks: speed,
 //! acceleration, distance. Otherwise an error in `machine/motion.rs` would not be noticed.
 
+use super::groups::Groups;
 use super::joints;
 use super::tolerance::{SAME, rounding};
 use super::violation::Violation;
@@ -15,13 +16,19 @@ use crate::sheet::Sheet;
 /// Relative difference within which sums agree: thousands of additions in another order.
 const RELATIVE: f64 = 1e-9;
 
-pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
+pub(super) fn check(
+    sheet: &Sheet,
+    machine: &Profile,
+    groups: &Groups,
+    plan: &Plan,
+    found: &mut Vec<Violation>,
+) {
     let (mut head, mut height) = (machine.home(), 0.0_f64);
     let (mut cuts, mut pierces, mut pre_cuts, mut macros) = (0u32, 0u32, 0u32, 0u32);
     let (mut moving_starts, mut lifts, mut fly_cuts) = (0u32, 0u32, 0u32);
     let (mut detours, mut crossings) = (0u32, 0u32);
     let (mut chains, mut edge_starts, mut chain_length) = (0u32, 0u32, 0.0);
-    let paths = paths(sheet, machine);
+    let paths = paths(sheet, groups);
     let mut worked: Vec<u32> = Vec::new();
     let (mut air_length, mut air_seconds, mut cut_length, mut cut_seconds) = (0.0, 0.0, 0.0, 0.0);
     let mut lead_length = 0.0;
@@ -174,7 +181,8 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         let names = ["the least x", "the least y", "the greatest x", "the greatest y"];
         let all = [bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y];
         for ((what, says), place) in names.into_iter().zip(s.bounds).zip(all) {
-            // Coordinates are not sums. An arc that is entered in its middle has its bounding box computed from other ends.
+            // Coordinates are not sums. The bounding box of an arc that is entered in its middle, or cut backwards, is computed
+            // from other ends.
             let agrees = (says - place).abs() <= SAME + slack;
             if !agrees {
                 found.push(Violation::Sum { what, says, found: place });
@@ -194,10 +202,10 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     }
 }
 
-/// The path of each contour; where the machine cuts groups as one, its path in the group.
-fn paths<'s>(sheet: &'s Sheet, machine: &Profile) -> Vec<&'s Path> {
+/// The path of each contour; where the plan cuts a group as one, its path in the group.
+fn paths<'s>(sheet: &'s Sheet, groups: &'s Groups) -> Vec<&'s Path> {
     let mut paths: Vec<&Path> = sheet.contours.iter().map(|c| &c.path).collect();
-    for group in sheet.cut_as_one(machine.cuts_as_one()) {
+    for group in groups.each() {
         for (&contour, joined) in group.contours.iter().zip(&group.paths) {
             if let Some(path) = paths.get_mut(contour as usize) {
                 *path = joined;

@@ -18,7 +18,7 @@ mod vertices;
 pub use group::{GroupElement, PierceGroup};
 
 use super::model::{Contour, Operation};
-use crate::geometry::{Aabb, BoxIndex, DVec2, Segment, winding, winding_number};
+use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, winding, winding_number};
 
 /// The groups of a sheet. Ends are searched within `tolerance` mm, and moved by at most `limit` mm. `crossing` lists
 /// contours that cross each other, for which no planar graph exists. `same` says whether two contours may be cut one
@@ -44,7 +44,9 @@ pub(super) fn find(
         let paths = if alike { contacts::join(contours, &mut set, limit) } else { None };
         groups.extend(paths.and_then(|paths| faces::group(&set, paths)));
     }
-    let boxes = BoxIndex::new(contours.iter().map(|c| c.bounds));
+    // What is left of an outline may lie elsewhere than the sides that its neighbours cut.
+    let around = |c: &Contour| c.boundary().map_or(Aabb::EMPTY, Path::bounds);
+    let boxes = BoxIndex::new(contours.iter().map(|c| c.bounds.union(around(c))));
     groups.retain(|group| lies_clear(contours, &boxes, group));
     for group in &mut groups {
         group.inside = inside(contours, &boxes, group);

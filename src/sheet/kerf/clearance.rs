@@ -16,6 +16,8 @@ pub(super) struct Clearance {
     clear: f64,
     /// For each contour, the distance to a contour that is too close (mm), and the place.
     near: Vec<Option<(f64, DVec2)>>,
+    /// Pairs of contours that meet, without waste between them, and where.
+    pub(super) touching: Vec<(u32, u32, DVec2)>,
     /// Whether some elements could not be checked.
     pub(super) cut_short: bool,
 }
@@ -30,7 +32,8 @@ impl Clearance {
             .collect();
         let index = BoxIndex::new(elements.iter().map(|(_, s)| s.bounds()));
         let near = vec![None; contours.len()];
-        let mut clearance = Self { elements, index, clear: 0.5 * width - slack, near, cut_short: false };
+        let (clear, touching) = (0.5 * width - slack, Vec::new());
+        let mut clearance = Self { elements, index, clear, near, touching, cut_short: false };
         clearance.find_near(contours, width - slack);
         clearance
     }
@@ -38,14 +41,18 @@ impl Clearance {
     fn find_near(&mut self, contours: &[Contour], least: f64) {
         let waste: Vec<Waste> = (0..).zip(contours).map(|(id, c)| Waste::of(id, c)).collect();
         let mut look = (ELEMENTS_PER_ELEMENT * self.elements.len()).max(MIN_ELEMENTS);
-        let mut near = std::mem::take(&mut self.near);
+        let (mut near, mut touching) = (std::mem::take(&mut self.near), Vec::new());
         for (i, (a, s)) in self.elements.iter().enumerate() {
             self.index.visit(s.bounds().grown(least), |j| {
                 let (b, other) = &self.elements[j];
                 look = look.saturating_sub(1);
-                if j > i && a != b && waste[*a as usize].is_between(&waste[*b as usize]) {
+                if j > i && a != b {
                     let (gap, at) = distance(s, other);
-                    for c in [*a, *b].into_iter().filter(|_| gap < least) {
+                    let between = waste[*a as usize].is_between(&waste[*b as usize]);
+                    if !between && gap == 0.0 {
+                        touching.push((*a, *b, at));
+                    }
+                    for c in [*a, *b].into_iter().filter(|_| between && gap < least) {
                         let known = &mut near[c as usize];
                         if known.is_none_or(|(g, _)| gap < g) {
                             *known = Some((gap, at));
@@ -55,7 +62,8 @@ impl Clearance {
                 look > 0
             });
         }
-        (self.near, self.cut_short) = (near, look == 0);
+        touching.dedup_by_key(|&mut (a, b, _)| (a, b));
+        (self.near, self.touching, self.cut_short) = (near, touching, look == 0);
     }
 
     /// The distance to another contour if it is less than the kerf (mm), and the place.

@@ -5,7 +5,8 @@
 //! counter-clockwise and holes clockwise, so the waste is always on the right, and one rule serves both.
 //!
 //! 1. **Clearance** ([`clearance`]). Two contours keep their drawn lines if the waste between them is narrower than the
-//!    kerf, or if they share sides as drawn, because no line between them would leave both whole.
+//!    kerf, or if they share sides as drawn, because no line between them would leave both whole. So do two that cross as drawn and
+//!    would lie in each other with the kerf ([`crossed`]).
 //! 2. **Offset** ([`offset`]). The other contours are offset one by one. Corners stay sharp where there is room, so
 //!    parts that lie one kerf apart have one line in the middle between them, up to the corners where four of them meet.
 //! 3. **Shared lines** (the cleaning and joining of this stage). Lines that now coincide are cut once.
@@ -15,6 +16,7 @@
 //! its place.
 
 mod clearance;
+mod crossed;
 mod facing;
 mod findings;
 mod offset;
@@ -102,6 +104,11 @@ fn moved(
             Err(())
         };
         lines.push(line.ok());
+    }
+    for (id, why) in crossed::keep_drawn(&sheet.contours, &clearance.touching, &mut lines) {
+        if let Some(contour) = sheet.contours.get(id as usize) {
+            findings.push(findings::keeps_drawn_line(drawing, contour, why, width));
+        }
     }
     if clearance.cut_short {
         findings.push(findings::partly_checked());
