@@ -38,6 +38,8 @@ impl Effort {
     const OF_A_PAIR: u128 = 4_000_000;
     /// Most legs between knots, and most knots looked at for cuts: some minutes in wasm, where 64 million legs took 49 s on a busy machine.
     const IN_ALL: u128 = 400_000_000;
+    /// Cuts that look at a leg in the time in which one is made, which takes square roots.
+    const CUTS_OF_A_LEG: u128 = 32;
 
     /// What a check may take of items with so many knots, after it has looked at all of them for each of its cuts.
     pub(super) fn after(cuts: usize, knots: usize) -> Result<Self, CertificateFault> {
@@ -48,10 +50,11 @@ impl Effort {
         Ok(Self { legs: legs.ok_or(CertificateFault::TooMuch("cuts"))? })
     }
 
-    /// Takes what the legs between two items take; call it before they are made.
-    pub(super) fn look_at(&mut self, [n, m]: [usize; 2]) -> Result<(), CertificateFault> {
+    /// Takes what the legs between two items take, at each of which so many cuts look; call it before they are made.
+    pub(super) fn look_at(&mut self, [n, m]: [usize; 2], cuts: usize) -> Result<(), CertificateFault> {
         let legs = n as u128 * m as u128;
-        let left = self.legs.checked_sub(legs).filter(|_| legs <= Self::OF_A_PAIR);
+        let all = legs + legs * cuts as u128 / Self::CUTS_OF_A_LEG;
+        let left = self.legs.checked_sub(all).filter(|_| legs <= Self::OF_A_PAIR);
         self.legs = left.ok_or(CertificateFault::TooMuch("legs between knots"))?;
         Ok(())
     }
@@ -233,7 +236,7 @@ impl Certified for Certificate {
             if !fits || legs.shares[0].len() != items[a].knots || legs.shares[1].len() != items[b].knots {
                 return Err(CertificateFault::Shape("shares"));
             }
-            effort.look_at([a, b].map(|k| items[k].knots))?;
+            effort.look_at([a, b].map(|k| items[k].knots), cuts.in_part([a, b]))?;
             let mut pairs = Pairs::new(items.len());
             pairs.add(&items, &prices, [a, b], true);
             let table = pairs.table(&pairs.list[0], items[a].knots * items[b].knots);
@@ -314,4 +317,23 @@ fn cheapest(shares: &[&[i64]], far: Option<i64>, pay: &[i128], item: &Item, one_
 /// The least of some sums; `None` if one of them cannot be made, or there are none.
 fn least(mut values: impl Iterator<Item = Option<i128>>) -> Option<i128> {
     values.try_fold(i128::MAX, |m, v| v.map(|v| m.min(v))).filter(|&m| m != i128::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A few megabytes of cuts with one knot each made a check take hours.
+    #[test]
+    fn cuts_that_look_at_each_leg_count_as_effort() {
+        let too_much = Err(CertificateFault::TooMuch("legs between knots"));
+        let mut effort = Effort::after(11_000, 20_000).unwrap();
+        assert_eq!(effort.look_at([2_000, 2_000], 11_000), too_much);
+        assert_eq!(Effort::after(100, 4_000).unwrap().look_at([2_000, 2_001], 0), too_much);
+        let mut effort = Effort::after(100, 4_000).unwrap();
+        for _ in 0..24 {
+            assert_eq!(effort.look_at([2_000, 2_000], 96), Ok(()));
+        }
+        assert_eq!(effort.look_at([2_000, 2_000], 96), too_much);
+    }
 }

@@ -4,6 +4,9 @@ use super::net::Item;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
+/// Most knots of items that cuts hold in part, a knot once for each of them: at most 160 MB.
+pub(super) const MOST_HELD: usize = 20_000_000;
+
 /// Places that a tour enters and leaves if it stops at one of them: whole items, and some knots of others.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -52,6 +55,7 @@ impl<'c> Cuts<'c> {
             pay: items.iter().map(|i| vec![0; i.knots]).collect(),
             back: 0,
         };
+        let mut all_held = 0;
         for (c, cut) in list.iter().enumerate() {
             let price = i128::from(cut.price);
             let inside = |item: usize| item >= first && item < items.len();
@@ -65,6 +69,10 @@ impl<'c> Cuts<'c> {
             }
             for part in cut.parts.iter().filter(|p| inside(p.item)) {
                 let held = held(part, &items[part.item])?;
+                all_held += held.len();
+                if all_held > MOST_HELD {
+                    return None;
+                }
                 if cut.visited == Some(part.item) {
                     cuts.pay[part.item]
                         .iter_mut()
@@ -89,6 +97,11 @@ impl<'c> Cuts<'c> {
             }
         }
         Some(cuts)
+    }
+
+    /// How many cuts hold one of two items in part, or at most twice as many as do.
+    pub(super) fn in_part(&self, items: [usize; 2]) -> usize {
+        items.iter().map(|&k| self.of[k].values().filter(|held| held.is_some()).count()).sum()
     }
 
     /// For each leg between two items, row by row, the prices of the cuts it crosses.

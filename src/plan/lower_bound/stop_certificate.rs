@@ -5,7 +5,7 @@ use super::certificate::{CertificateFault, Certified, Effort, unit, units};
 use super::net::{Item, homes};
 use super::pairs::{Pairs, box_seconds};
 use super::postman::{Member, Stop, Stops, applies, members};
-use super::priced_cuts::Part;
+use super::priced_cuts::{MOST_HELD, Part};
 use super::prices::Prices;
 use crate::problem::Problem;
 use serde::{Deserialize, Serialize};
@@ -110,7 +110,7 @@ impl StopCertificate {
                         continue;
                     }
                 }
-                effort.look_at([a, b].map(|k| items[k].knots))?;
+                effort.look_at([a, b].map(|k| items[k].knots), cuts.crossed([a, b]).len())?;
                 let mut pairs = Pairs::new(items.len());
                 pairs.add(items, prices, [a, b], true);
                 let [n, m] = [a, b].map(|k| items[k].knots);
@@ -162,9 +162,9 @@ fn takes(seconds: f64, power: i32, guard: f64) -> i128 {
 /// The parts of an item's knots in a cut, unless all are in the part of home.
 struct Held {
     cut: usize,
-    parts: Vec<usize>,
-    /// The part of all knots, if it is the same.
+    /// The part of all knots, if it is the same; otherwise `parts` has that of each.
     whole: Option<usize>,
+    parts: Vec<usize>,
 }
 
 /// The cuts as the check reads them.
@@ -192,6 +192,7 @@ impl Cuts {
             refund: vec![0; members.len()],
             joined: 0,
         };
+        let mut all_held = 0;
         for cut in list {
             let count = i128::try_from(cut.parts.len()).ok()?;
             let price = i128::from(cut.price);
@@ -237,7 +238,12 @@ impl Cuts {
                 part_of.into_iter().enumerate().filter(|(_, parts)| parts.iter().any(|p| *p != 0))
             {
                 let whole = parts.first().copied().filter(|first| parts.iter().all(|part| part == first));
-                cuts.held[k].push(Held { cut, parts, whole });
+                let parts = if whole.is_some() { Vec::new() } else { parts };
+                all_held += parts.len();
+                if all_held > MOST_HELD {
+                    return None;
+                }
+                cuts.held[k].push(Held { cut, whole, parts });
                 cuts.most[k] += of_leg;
             }
         }
@@ -262,7 +268,8 @@ impl Cuts {
     fn between(&self, ends: [usize; 2], [n, m]: [usize; 2]) -> Vec<i128> {
         let mut crossing = vec![0; n * m];
         for (of_leg, [p, q]) in self.crossed(ends) {
-            let part = |held: Option<&Held>, v: usize| held.map_or(0, |h| h.parts[v]);
+            let part =
+                |held: Option<&Held>, v: usize| held.map_or(0, |h| h.whole.unwrap_or_else(|| h.parts[v]));
             for (at, paid) in crossing.iter_mut().enumerate() {
                 if part(p, at / m) != part(q, at % m) {
                     *paid += of_leg;
