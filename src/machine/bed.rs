@@ -130,7 +130,7 @@ impl Profile {
         if !bed.grown(EDGE).contains_box(job) {
             return Some(format!(
                 "The job reaches from x {} to {} and y {} to {} mm, beyond the bed (x {} to {}, y {} to {} mm). \
-                 Place it on the bed, for example with its lower left corner at that of the bed.",
+                 Place it on the bed, for example with its middle at that of the bed.",
                 mm(job.min.x),
                 mm(job.max.x),
                 mm(job.min.y),

@@ -197,8 +197,8 @@ it('in inches, every length of a sentence is in inches, in every language', asyn
   const { inChosenUnit } = await bundled(join(APP, 'core', 'lengths.ts'));
   delete globalThis.localStorage;
   const { translated } = await bundled(SENTENCES_FILE);
-  const offBed = 'The job reaches from x -12.7 to 90 and y 0 to 40 mm, beyond the bed (x 0 to 400, y 0 to 300 mm). Place it on the bed, for example with its lower left corner at that of the bed.';
-  assert.equal(inChosenUnit(offBed), 'The job reaches from x -0.5 to 3.54 and y 0 to 1.57 in, beyond the bed (x 0 to 15.7, y 0 to 11.8 in). Place it on the bed, for example with its lower left corner at that of the bed.');
+  const offBed = 'The job reaches from x -12.7 to 90 and y 0 to 40 mm, beyond the bed (x 0 to 400, y 0 to 300 mm). Place it on the bed, for example with its middle at that of the bed.';
+  assert.equal(inChosenUnit(offBed), 'The job reaches from x -0.5 to 3.54 and y 0 to 1.57 in, beyond the bed (x 0 to 15.7, y 0 to 11.8 in). Place it on the bed, for example with its middle at that of the bed.');
   assert.equal(inChosenUnit("The head starts and ends beyond the bed, at x -5, y 0 mm. Correct the machine's home or its bed."), "The head starts and ends beyond the bed, at x -0.197, y 0 in. Correct the machine's home or its bed.");
   assert.equal(inChosenUnit('The job of 254 x 127 mm is larger than the bed of 1,270 x 25.4 mm.'), 'The job of 10 x 5 in is larger than the bed of 50 x 1 in.');
   assert.equal(inChosenUnit('Contour 12 has a lead-in of 2.54 mm, 5 cuts and 3 mm² at 10 mm/s.'), 'Contour 12 has a lead-in of 0.1 in, 5 cuts and 3 mm² at 10 mm/s.');

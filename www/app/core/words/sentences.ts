@@ -94,7 +94,7 @@ export const SENTENCES = {
   advicePoint: 'a point has no length to cut',
   adviceExplode: 'explode it into lines in the drawing program if it is to be cut',
   nothingWritten: '{} Nothing was written: a program that leaves the bed has to be allowed.',
-  offBed: 'The job reaches from x {} to {} and y {} to {} mm, beyond the bed (x {} to {}, y {} to {} mm). Place it on the bed, for example with its lower left corner at that of the bed.',
+  offBed: 'The job reaches from x {} to {} and y {} to {} mm, beyond the bed (x {} to {}, y {} to {} mm). Place it on the bed, for example with its middle at that of the bed.',
   layerTooFast: 'Layer {} is worked at {} mm/s, but the machine moves with at most {} mm/s: it takes longer than planned, and is not written as G-code. Lower the speed of the layer, or raise the rapids of the machine.',
   endsBefore: 'The file ends before anything to cut: it was probably not copied whole. Save or download it again.',
   emptyFile: 'The file is empty. Save the drawing again as DXF or SVG.',

@@ -88,7 +88,7 @@ export const sentences: Sentences = {
   advicePoint: 'ein Punkt hat keine Länge',
   adviceExplode: 'lösen Sie es im Zeichenprogramm in Linien auf, wenn es geschnitten werden soll',
   nothingWritten: '{0} Es wurde nichts geschrieben: Ein Programm, das den Arbeitsbereich verlässt, muss erlaubt werden.',
-  offBed: 'Der Auftrag reicht von x {0} bis {1} und y {2} bis {3} mm, über den Arbeitsbereich hinaus (x {4} bis {5}, y {6} bis {7} mm). Legen Sie ihn auf den Arbeitsbereich, zum Beispiel mit der linken unteren Ecke in dessen linke untere Ecke.',
+  offBed: 'Der Auftrag reicht von x {0} bis {1} und y {2} bis {3} mm, über den Arbeitsbereich hinaus (x {4} bis {5}, y {6} bis {7} mm). Legen Sie ihn auf den Arbeitsbereich, zum Beispiel mit seiner Mitte in dessen Mitte.',
   layerTooFast: 'Layer {0} hat {1} mm/s, die Maschine bewegt sich aber höchstens mit {2} mm/s: Es dauert länger als geplant und wird nicht als G-Code geschrieben. Verringern Sie die Geschwindigkeit des Layers, oder erhöhen Sie die Eilgänge der Maschine.',
   endsBefore: 'Die Datei endet, bevor etwas zu schneiden ist: Wahrscheinlich wurde sie nicht ganz kopiert. Speichern oder laden Sie sie noch einmal.',
   emptyFile: 'Die Datei ist leer. Speichern Sie die Zeichnung noch einmal als DXF oder SVG.',

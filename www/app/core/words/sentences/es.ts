@@ -88,7 +88,7 @@ export const sentences: Sentences = {
   advicePoint: 'un punto no tiene longitud que cortar',
   adviceExplode: 'descompóngalo en líneas en el programa de dibujo si se debe cortar',
   nothingWritten: '{0} No se escribió nada: un programa que se sale de la mesa tiene que permitirse.',
-  offBed: 'El trabajo abarca de x {0} a {1} y de y {2} a {3} mm, más allá de la mesa (x {4} a {5}, y {6} a {7} mm). Colóquelo en la mesa, por ejemplo con su esquina inferior izquierda en la de la mesa.',
+  offBed: 'El trabajo abarca de x {0} a {1} y de y {2} a {3} mm, más allá de la mesa (x {4} a {5}, y {6} a {7} mm). Colóquelo en la mesa, por ejemplo con su centro en el de la mesa.',
   layerTooFast: 'La capa {0} tiene {1} mm/s, pero la máquina se mueve a {2} mm/s como máximo: tardará más de lo planificado y no se escribe como G-code. Baje la velocidad de la capa o suba los movimientos rápidos de la máquina.',
   endsBefore: 'El archivo termina antes de que haya algo que cortar: probablemente no se copió entero. Guárdelo o descárguelo de nuevo.',
   emptyFile: 'El archivo está vacío. Guarde de nuevo el dibujo como DXF o SVG.',
