@@ -17,6 +17,9 @@
 //! 5. [`plan`] converts a path to moves with times, and checks them with code that is independent of the search.
 //! 6. [`output`] writes G-code, SVG, DXF and JSON; [`quote`] reports what a price depends on.
 //!
+//! Before the problem is stated, [`lead`], [`joint`], [`corner`], [`tipping`] and [`heat`] decide about single contours and pieces, and
+//! [`calibration`] fits a machine to times that were measured.
+//!
 //! [`job`] runs one drawing through the whole flow, and the WebAssembly bindings are a thin layer over it. Data flows in
 //! this direction only: [`geometry`] knows no machine, searches know no drawing, and writers know no search.
 //!
@@ -84,9 +87,9 @@
 //! * `outputs`: those of the writers of programs and drawings and of the preflight. They are a WebAssembly file of their own, because
 //!   nobody needs them before there is a plan.
 //! * `svg` (default, part of `research`): the reader of SVG ([`svg`]).
-//! * `research` (default): the methods of published papers ([`solve::papers`]) and benchmark instances of the TSPLIB
-//!   family. The page downloads a second WebAssembly file with this feature, and with the reader of SVG, only when one of
-//!   them or an SVG file is opened.
+//! * `research` (default): the methods of published papers ([`solve::papers`]), benchmark instances of the TSPLIB family,
+//!   proofs of the bound, and the levers that few jobs need. The page downloads a second WebAssembly file with this
+//!   feature, and with the reader of SVG, only when one of them is asked for or an SVG file is opened.
 //! * `png`: the PNG renderer, which depends on tiny-skia. It is a WebAssembly file of its own, because most jobs never
 //!   need it.
 

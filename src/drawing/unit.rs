@@ -71,11 +71,6 @@ impl Unit {
         }
     }
 
-    /// Whether the unit is metric, not imperial.
-    pub const fn is_metric(self) -> bool {
-        matches!(self, Self::Um | Self::Mm | Self::Cm | Self::Dm | Self::M)
-    }
-
     /// The unit of an $INSUNITS code; `None` for 0 and for units that no cutting drawing uses (miles, parsecs, ...).
     pub const fn of_insert_units(code: i64) -> Option<Self> {
         // 21 to 23 are survey feet, inches and yards, which are 2 parts in a million longer.

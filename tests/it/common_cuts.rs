@@ -1,11 +1,5 @@
 //! Contours that share cuts: found, pierced once, cut as a whole, in an order in which nothing falls out too early.
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    clippy::float_cmp,
-    dead_code,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp, reason = "a test fails by panicking")]
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

@@ -3,7 +3,6 @@
     clippy::unwrap_used,
     clippy::panic,
     clippy::float_cmp,
-    dead_code,
     unreachable_pub,
     reason = "a test fails by panicking"
 )]

@@ -1,11 +1,5 @@
 //! Grids of rectangles against a bound of what any plan takes.
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    clippy::float_cmp,
-    dead_code,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp, reason = "a test fails by panicking")]
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

@@ -151,6 +151,7 @@ describe('several drawings', () => {
     assert.deepEqual(named('x/a[!(]*'), ['x/a1.dxf']);
     assert.deepEqual(named('*/a(?).dxf'), ['x/a(2).dxf']);
     assert.deepEqual(named('**/*.dxf'), ['a.dxf', 'b.dxf', 'x/a(2).dxf', 'x/a1.dxf', 'x/y/c.dxf']);
+    assert.deepEqual(named('x/**'), ['x/a(2).dxf', 'x/a1.dxf', 'x/y/c.dxf']);
     assert.deepEqual(named('*.svg'), ['*.svg']);
   });
 });

@@ -108,7 +108,7 @@ function savedPlan(value: unknown, refusal: Refusal): SavedPlan {
   if (!isRecord(value) || !isRecord(value['path'])) throw refusal('its plan has no path');
   const { seed, moves, seconds, total_time, lower_bound = 0, done, path, curve } = value;
   const { at, total } = isRecord(curve) ? curve : {};
-  const isNumbers = (list: unknown): list is number[] => Array.isArray(list) && list.every((n) => typeof n === 'number' && n >= 0);
+  const isNumbers = (list: unknown): list is number[] => Array.isArray(list) && list.every((n) => Number.isFinite(n) && (n as number) >= 0);
   if (!isNumbers([seed, moves, seconds, total_time, lower_bound]) || !isNumbers(at) || !isNumbers(total) || at.length !== total.length) throw refusal('a number of its plan is missing');
   const options = withWarmPath({ seed: seed as number, warm: path as unknown as WarmPath });
   checkOptions(options, 'planning');

@@ -72,8 +72,8 @@ pub struct Proof {
     left: u64,
     /// Turns so far.
     turns: u64,
-    /// The cost of the path that was told last, s.
-    told: f64,
+    /// The cost of the last path that `better_path` returned, s.
+    reported: f64,
 }
 
 impl Proof {
@@ -108,7 +108,7 @@ impl Proof {
         let of_tours = matches!(bound, Some(Bound::Flows(_) | Bound::Shares(_)));
         let warm = options.warm.as_ref().and_then(|path| warm_path::solution(path, &problem).ok());
         let optimum = if of_tours { Optimum::new(&problem, warm.as_ref()) } else { None };
-        Ok(Self { file, problem, paid, bound, optimum, left: 0, turns: 0, told: f64::INFINITY })
+        Ok(Self { file, problem, paid, bound, optimum, left: 0, turns: 0, reported: f64::INFINITY })
     }
 
     /// Why nothing can be proven in this way; `None` if it can.
@@ -140,12 +140,12 @@ impl Proof {
         self.bound.as_ref().map_or(0.0, |bound| self.paid + bound.value().max(optimum))
     }
 
-    /// The best path that it has found, if that is better than the one that was told before. `None` above 220 contours, and where contours may be left
+    /// The best path that it has found, if that is better than the last one that this returned. `None` above 220 contours, and where contours may be left
     /// unfinished or are cut as one.
     pub fn better_path(&mut self) -> Option<WarmPath> {
         let optimum =
-            self.optimum.as_ref().filter(|optimum| warm_path::is_better(optimum.cost(), self.told))?;
-        self.told = optimum.cost();
+            self.optimum.as_ref().filter(|optimum| warm_path::is_better(optimum.cost(), self.reported))?;
+        self.reported = optimum.cost();
         optimum.path()
     }
 

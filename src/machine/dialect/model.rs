@@ -186,7 +186,7 @@ pub enum PowerBy {
 #[serde(deny_unknown_fields)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Pierce {
-    /// In which way.
+    /// The method.
     pub by: PierceBy,
     /// With `creep`: the length that is cut slowly, mm.
     #[serde(default, skip_serializing_if = "Option::is_none")]

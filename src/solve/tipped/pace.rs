@@ -1,9 +1,9 @@
 //! How the method and the local search take turns.
 //!
-//! A plan has to be good whenever the search is stopped, and never worse than what the method alone would have found in that time and then
-//! gone on with past tipped pieces. A method that anneals gains in leaps, after long stretches without a gain; one that is
-//! late for a leap loses more than the local search gains in the same time. So the local search gets a small share of the work for as
-//! long as the method may still gain, which is enough to descend from each of its bests, and more once it has settled.
+//! The method is the search that knows nothing of tipping. The plan has to be good whenever the search is stopped, and no worse than the best
+//! path of the method alone, led past tipped pieces afterwards. A method that anneals improves in leaps, after long stretches without any, and
+//! a leap that comes late costs more than the local search gains meanwhile. So the local search gets a small share of the moves while the
+//! method still improves, which is enough to descend from each of its best paths, and more once it has settled.
 
 use super::sequence::only_tips;
 use crate::problem::Problem;
@@ -36,8 +36,7 @@ const KICKED: u64 = 64;
 const STALLED: [u64; 2] = [2, 8];
 /// Where heat counts, the method makes one in four moves and the local search the others: the method does not know the cost of heat.
 const HEATED_SHARE: u64 = 4;
-/// The local search has one move in this number of moves where cuts begin on kerfs: the method finds chains better, and the local search needs few
-/// moves for what it leaves to pierce.
+/// Where cuts begin on kerfs, the local search has one move in this number: the method finds chains better, and leaves little to do.
 const STARTS_SHARE: u64 = 12;
 /// Moves of a turn by item there and where heat counts, of either search.
 const LONG_TURN: u64 = 4;

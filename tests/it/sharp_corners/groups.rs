@@ -1,11 +1,5 @@
 //! Groups of parts, pre-cuts, and a published method.
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    clippy::float_cmp,
-    dead_code,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp, reason = "a test fails by panicking")]
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -97,9 +91,9 @@ fn pre_cuts_have_a_length_and_are_cut_ahead() {
     assert!(made > 0);
 }
 
-/// Pauses are in the objective of the partition-tree and of its construction, in contours that are left in a corner too.
+/// Pauses count in the objective of the partition-tree and of its construction, in contours that are left in a corner too.
 #[test]
-fn the_partition_tree_minimises_pauses_too() {
+fn the_partition_tree_counts_pauses() {
     for (pre_cut, name) in [0.0, 0.5, 5.0].into_iter().flat_map(|p| ["pfr", "partition-tree"].map(|n| (p, n)))
     {
         let machine = Profile { pre_cut_time: Some(pre_cut), ..thick() };

@@ -213,6 +213,7 @@ fn a_network_too_dense_to_search_is_reported_and_stays_as_drawn() {
     );
     let at = told.at.unwrap();
     assert_eq!(told.severity, kerfway::finding::Severity::Warning);
+    assert!((at - at.round()).abs().min_element() < 1e-6, "{at} is on a line");
     assert!((0.0..=329.0).contains(&at.x) && (0.0..=329.0).contains(&at.y), "{at}");
     assert!(findings(&s, Code::OpenContour).is_empty(), "whether they free parts is not known");
 }

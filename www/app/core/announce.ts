@@ -1,15 +1,15 @@
 /**
- * Polite announcements for screen readers. The answer to what somebody does is spoken at once. The news of a search are spoken at most every two
- * seconds, the newest only, so that it neither talks all the time nor takes the place of an answer.
+ * Polite announcements for screen readers. The answer to what somebody does is spoken at once. Updates on the search are spoken at most every two
+ * seconds, and only the latest, so that it neither talks all the time nor takes the place of an answer.
  */
 
-/** Milliseconds between an announcement and the next news. */
+/** Milliseconds between an announcement and the next update. */
 const PAUSE = 2000;
 
 export class Announcer {
   private answer: string | null = null;
-  private news: string | null = null;
-  /** The news that were spoken last: the same are none. */
+  private update: string | null = null;
+  /** The last update that was spoken, which is not repeated. */
   private known = '';
   private spoken = -Infinity;
   private timer = 0;
@@ -24,7 +24,7 @@ export class Announcer {
 
   /** Reports what goes on by itself. */
   report(sentence: string): void {
-    this.news = sentence;
+    this.update = sentence;
     if (this.answer === null) this.wait(Math.max(0, this.spoken + PAUSE - performance.now()));
   }
 
@@ -34,14 +34,14 @@ export class Announcer {
   }
 
   private speak(): void {
-    const { answer, news } = this;
+    const { answer, update } = this;
     if (answer !== null) {
       this.answer = null;
       this.put(answer);
-      if (news !== null) this.wait(PAUSE);
-    } else if (news !== null) {
-      this.news = null;
-      if (news !== this.known) this.put((this.known = news));
+      if (update !== null) this.wait(PAUSE);
+    } else if (update !== null) {
+      this.update = null;
+      if (update !== this.known) this.put((this.known = update));
     }
   }
 

@@ -90,7 +90,7 @@ export function width(mm: number): string {
 }
 
 /** A coordinate, always with the decimals of `size`, so that a list of them is even: "6.0", "0.8". */
-export function coordinate(mm: number): string {
+function coordinate(mm: number): string {
   const { unit, factor } = shownIn('mm');
   return fixed(mm / factor, unit === 'mm' ? 1 : 2);
 }

@@ -72,7 +72,7 @@ export function fromFile(text: string): MachineProfile {
   } catch {
     throw new Error(words.machine.noJson);
   }
-  const { schema, profile } = content as { schema?: unknown; profile?: unknown };
+  const { schema, profile } = (content ?? {}) as { schema?: unknown; profile?: unknown };
   if (schema !== SCHEMA) throw new Error(words.machine.noSchema(SCHEMA));
   if (!isProfile(profile)) throw new Error(words.machine.incomplete);
   return profile;
@@ -84,8 +84,8 @@ function store(list: MachineProfile[]): boolean {
 
 function isProfile(value: unknown): value is MachineProfile {
   if (typeof value !== 'object' || value === null) return false;
-  const { version, name, title, home, rapid, cut, mark } = value as Partial<MachineProfile>;
+  const { version, name, title, home, rapid, cut, mark, materials } = value as Partial<MachineProfile>;
   const process = (p: unknown) => typeof (p as { speed?: unknown } | undefined)?.speed === 'number';
   return version === 1 && typeof name === 'string' && typeof title === 'string' && Array.isArray(home)
-    && Array.isArray(rapid?.speed) && process(cut) && process(mark);
+    && Array.isArray(rapid?.speed) && process(cut) && process(mark) && Array.isArray(materials ?? []);
 }

@@ -1,7 +1,7 @@
 /** `kerfway calibrate`: fits a machine to the seconds that jobs took. */
 
 import { createPlanner } from '../node.js';
-import { checkMachine } from '../options.js';
+import { checkProfile } from '../options.js';
 import type { Calibration, MachineProfile, MeasuredPlan } from '../protocol.js';
 import { parsed } from './arguments.js';
 import { Destinations, outputsOf } from './destinations.js';
@@ -46,7 +46,7 @@ export async function calibrate(args: string[]): Promise<void> {
 function plannedFor(plan: string): MachineProfile | undefined {
   try {
     const { machine } = JSON.parse(plan) as { machine: MachineProfile };
-    checkMachine(machine);
+    checkProfile(machine);
     return machine;
   } catch {
     return undefined;

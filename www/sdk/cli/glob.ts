@@ -1,6 +1,7 @@
 /**
  * Patterns of file names, for shells that do not expand them and for patterns in quotes: `*` and `?` within a name, `[ab]`
- * for one of these characters, `**` for folders at any depth. Names that begin with a dot match only patterns that do too.
+ * for one of these characters, `**` for folders at any depth, and at the end for all files in them. Names that
+ * begin with a dot match only patterns that do too.
  */
 
 import { existsSync, readdirSync } from 'node:fs';
@@ -27,6 +28,7 @@ function matches(pattern: string): string[] {
   const names = (process.platform === 'win32' ? pattern.replaceAll('\\', '/') : pattern).split('/');
   // The folder before the first pattern is used as it is: /, ../.., C:/.
   const first = names.findIndex((name) => MAGIC.test(name));
+  if (names.at(-1) === '**') names.push('*');
   const found = new Set<string>();
   walk(first === 0 ? '' : `${names.slice(0, first).join('/')}/`, names.slice(first), found);
   return [...found].sort();

@@ -182,7 +182,7 @@ impl<'p> Framework<'p> {
     /// The key of a partition in `solved`.
     fn key(&self, route: u32) -> Vec<NodeId> {
         let at = self.forest.at(route).unwrap_or(NodeId::MAX);
-        // Where a group is left, the path tells to where the head returns.
+        // Where a group is left, the path determines where the head returns.
         let host = self.forest.at(route).map(|node| self.g.item(node)).filter(|&i| self.g.is_group(i));
         let path = host.map(|group| self.forest.entry(group));
         std::iter::once(at)

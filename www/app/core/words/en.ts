@@ -310,13 +310,13 @@ export const en = {
   tips: {
     title: 'Mind pieces that tip', riskyMoves: 'Moves over them', moves: { ignore: 'Only mark them', avoid: 'Avoid them' } satisfies Record<RiskyMoves, string>,
     nozzle_radius: 'Nozzle radius', margin: 'Distance to keep', pitch: 'From slat to slat', angle: 'Direction of slats', tips_below: 'Pieces tip below', drops_below: 'Pieces drop below', cross_over: 'Cross holes up to',
-    unknown: 'not known', about: 'A piece that is cut free drops, tips up or stays, by its size and the slats. Avoided, they are gone around or passed with the head lifted. Amber: pieces that may tip, and moves with the head lifted. Red: moves over them with the head down.',
+    unknown: 'not known', about: 'A piece that is cut free drops, tips up or stays, by its size and the slats. To avoid them, the head goes around or is lifted. Amber: pieces that may tip, and moves with the head lifted. Red: moves over them with the head down.',
     lifts: 'Lifts', detours: 'Detours', crossings: 'Risky moves',
   },
 
   heat: {
     title: 'Let cuts cool', distance: 'Cuts nearer than', seconds: 'Time between them', charge: 'Charge for a pair', thickness: 'Plate thickness', ratio: 'Small: times thickness',
-    noCharge: 'none: wait', noThickness: 'not known', about: 'Cuts near each other do not follow each other at once; where nothing else helps, the head waits. With a charge it never waits, and each pair that follows too soon costs as much. With a plate thickness, small holes are cut first.',
+    noCharge: 'none: wait', noThickness: 'not known', about: 'Cuts near each other do not follow each other at once; where nothing else helps, the head waits. With a charge it never waits, and each pair that follows too soon costs that much. With a plate thickness, small holes are cut first.',
     waits: 'Waits', hotPairs: 'Cuts too soon',
   },
 
@@ -353,7 +353,7 @@ export const en = {
     kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimental)', remainder: 'Remainder (DXF)' },
     short: { now: 'Now', greedy: 'Nearest', drawing: 'As drawn' }, beside: 'Show side by side with the plan', copy: 'Copy', copyHint: 'Copy the G-code to the clipboard',
     report: 'Report', reportHint: 'One page for the operator: picture, times, parts, order, findings', project: 'Project', projectHint: 'Save the project: drawing, decisions, machine and plan (Ctrl S)',
-    nothing: (searching: boolean): string => (searching ? 'No time saved yet' : 'No time saved'), asLong: (order: string) => `As long as most programs cut it, nearest first; ${order}`, saved: (time: string) => `${time} saved`, longer: (time: string) => `${time} longer`, of: (share: string, order: string) => `${share} of the job as most programs cut it, nearest first; ${order}`,
+    nothing: (searching: boolean): string => (searching ? 'No time saved yet' : 'No time saved'), asLong: (order: string) => `As long as nearest first, the order of most programs; ${order}`, saved: (time: string) => `${time} saved`, longer: (time: string) => `${time} longer`, of: (share: string, order: string) => `${share} of nearest first, the order of most programs; ${order}`,
     same: 'as long as drawn', less: (time: string) => `${time} less than as drawn`, more: (time: string) => `${time} more than as drawn`,
     cut: 'Cut', pierce: 'Pierce', piercings: (n: number, written: string) => counted(n, written, 'piercing'), preCuts: 'Pre-cuts', leads: 'Leads', joints: 'Micro-joints', skeleton: 'Skeleton', skeletonCuts: (n: number, written: string) => counted(n, written, 'cut'), corners: 'Corners', gap: 'Left to gain', atMost: (time: string, share: string) => `at most ${time} (${share})`, noBound: 'no bound yet', nothingLeft: 'nothing: this path is optimal',
     chart: 'Job time while searching', chartAxis: 'Job time while searching', chartAbove: (time: string) => `as drawn ${time} ↑`, chartNone: 'Job time while searching: no values yet.',
