@@ -22,8 +22,9 @@ use std::fmt;
 pub struct LayerChoice {
     /// Name of the layer.
     pub name: String,
-    /// Cut, mark or ignore.
-    pub operation: Operation,
+    /// Cut, mark or ignore; without a choice, as for other layers, and what the layer's name suggests stays a question.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub operation: Option<Operation>,
     /// Speed along its contours, mm/s.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub speed: Option<f64>,
@@ -47,7 +48,7 @@ pub struct LayerChoice {
 impl LayerChoice {
     /// An operation with the settings of machine and material.
     pub fn new(name: impl Into<String>, operation: Operation) -> Self {
-        let name = name.into();
+        let (name, operation) = (name.into(), Some(operation));
         let (speed, power, min_power, passes, z_step, air) = (None, None, None, None, None, None);
         Self { name, operation, speed, power, min_power, passes, z_step, air }
     }

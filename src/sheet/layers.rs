@@ -32,12 +32,9 @@ pub(super) fn layers(drawing: &Drawing, options: &SheetOptions, findings: &mut F
     for (index, layer) in (0_u32..).zip(&drawing.layers) {
         let asked = place(&layer.name);
         let never_plotted = same_letters(&layer.name, "defpoints");
-        let operation = match asked.and_then(|i| options.layers.get(i)) {
-            Some((_, operation)) => *operation,
-            None if never_plotted => Operation::Ignore,
-            None => Operation::Cut,
-        };
-        let suggestion = layer_names::suggestion(&layer.name).filter(|s| asked.is_none() && *s != operation);
+        let chosen = asked.and_then(|i| options.layers.get(i)?.1);
+        let operation = chosen.unwrap_or(if never_plotted { Operation::Ignore } else { Operation::Cut });
+        let suggestion = layer_names::suggestion(&layer.name).filter(|s| chosen.is_none() && *s != operation);
         let used = shapes[index as usize];
         if let (Some(s), true) = (suggestion, used > 0) {
             findings.push(suggested(&layer.name, s, used));

@@ -68,7 +68,7 @@ fn differences(folder: &Path, entry: &Entry) -> Vec<(&'static str, String, Strin
     let unit = if silent { Some(Unit::Mm) } else { None };
     let drawing = dxf::read(&bytes, &ReadOptions { unit, ..ReadOptions::default() }).unwrap();
     // The audit counted every layer.
-    let cut_all = drawing.layers.iter().map(|l| (l.name.clone(), Operation::Cut)).collect();
+    let cut_all = drawing.layers.iter().map(|l| (l.name.clone(), Some(Operation::Cut))).collect();
     let sheet = sheet::build(&drawing, &SheetOptions { layers: cut_all, ..SheetOptions::default() });
 
     let drawn: f64 = drawing.shapes.iter().map(|s| s.path.length()).sum();

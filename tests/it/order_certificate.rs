@@ -3,9 +3,11 @@
 
 use crate::certificate::grid;
 use crate::lower_bound::entered_anywhere;
+use crate::testkit::outlines::drawing;
 use crate::testkit::sheets::{Dice, machine, nested_sheet};
 use crate::walk_certificate::{of_every_kind, some};
 use kerfway::drawing::TextDecoder;
+use kerfway::geometry::DVec2;
 use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions, Proof, WarmPath, problem_of, verify};
 use kerfway::plan::{CertificateFault, Certified, LowerBound, WalkCertificate};
 use kerfway::problem::Problem;
@@ -219,4 +221,27 @@ fn too_many_orders_are_refused() {
     let many = problem_of(&nested_sheet(140, 5), &machine("length"));
     let (_, good) = certified(&many, 5000.0, 200_000_000);
     refused(&many, WalkCertificate { all_orders: true, ..good }, "items in orders");
+}
+
+/// A leg at a common corner takes nothing, and its seconds go with the root of its length: pieces there were halved without end, until
+/// the memory was full.
+#[test]
+fn each_turn_of_a_proof_of_contours_with_a_common_corner_ends() {
+    let corner = DVec2::new(30.0, 30.0);
+    let triangle = vec![corner, DVec2::new(46.7, 32.1), DVec2::new(38.8, 44.0)];
+    let square = vec![DVec2::new(30.0, 10.0), DVec2::new(50.0, 10.0), DVec2::new(50.0, 30.0), corner];
+    let drawing = drawing(&[triangle, square]);
+    let machine = MachineChoice::Preset("fibre-3kw-thin".into());
+    let options = PlanOptions { machine, ..PlanOptions::default() };
+    let mut proof = Proof::start(drawing.clone(), "corner.dxf", LoadOptions::default(), &options).unwrap();
+    let turns = (0..300).take_while(|_| proof.improve(1_000_000)).count();
+    assert!(turns > 100, "{turns}: it needs no pieces that are too short");
+    let path = proof.better_path().unwrap();
+    let mut job = Job::load(drawing.clone(), "corner.dxf", &LoadOptions::default()).unwrap();
+    job.start(&options).unwrap();
+    job.run_mut().unwrap().offer(&path).unwrap();
+    let total = job.plan().unwrap().summary.total_time;
+    let text = proof.certificate().unwrap();
+    let seconds = verify(&text, &drawing, None, TextDecoder::default()).unwrap().seconds;
+    assert!(seconds <= total && seconds >= total * (1.0 - 1e-3), "{seconds} of {total}");
 }

@@ -70,7 +70,7 @@ fn near(a: f64, b: f64) {
 fn a_layer_has_a_speed_and_an_operation_of_its_own() {
     let layers = vec![
         layer("INNER", |l| l.speed = Some(4.0)),
-        layer("LINE", |l| (l.operation, l.speed) = (Operation::Mark, Some(25.0))),
+        layer("LINE", |l| (l.operation, l.speed) = (Some(Operation::Mark), Some(25.0))),
     ];
     let s = planned(layers, PassOrder::Contour, machine()).plan().unwrap().summary;
     near(s.cut_time, 400.0 / 10.0 + 80.0 / 4.0 + 50.0 / 25.0);

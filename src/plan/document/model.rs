@@ -179,8 +179,9 @@ pub struct GroupOperation {
 pub struct LayerOperation {
     /// Name of the layer.
     pub name: String,
-    /// What is done with it.
-    pub operation: Operation,
+    /// What was chosen to do with it, if anything was.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub operation: Option<Operation>,
     /// What was set for it.
     #[serde(default, skip_serializing_if = "Settings::is_none")]
     pub settings: Settings,
@@ -245,7 +246,7 @@ impl Document {
 impl Options {
     /// The options with which a drawing was read and arranged.
     pub fn of(read: &ReadOptions, arrange: &SheetOptions) -> Self {
-        let layer = |(name, operation): &(String, Operation)| LayerOperation {
+        let layer = |(name, operation): &(String, Option<Operation>)| LayerOperation {
             name: name.clone(),
             operation: *operation,
             settings: arrange.settings.iter().rev().find(|(n, _)| n == name).map_or(Settings::NONE, |s| s.1),

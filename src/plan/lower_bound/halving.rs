@@ -7,7 +7,8 @@ use crate::order::{real, sort_by};
 /// Share of all lost seconds at the knots beside which pieces are halved: the rest costs more time than it gains.
 const SHARE: f64 = 0.9;
 
-/// Marks the pieces beside the knots with the largest losses; `None` if nothing is lost. `lost`: the seconds lost at each knot.
+/// Marks the pieces beside the knots with the largest losses; `None` if nothing is lost, or only beside pieces
+/// that are too short. `lost`: the seconds lost at each knot.
 pub(super) fn marks(items: &[Item], lost: &[Vec<f64>]) -> Option<Vec<Vec<bool>>> {
     let of_item = |(k, knots): (usize, &Vec<f64>)| {
         let halves = items[k].can_halve();
@@ -25,10 +26,10 @@ pub(super) fn marks(items: &[Item], lost: &[Vec<f64>]) -> Option<Vec<Vec<bool>>>
     }) {
         debug_assert!(seconds > 0.0, "sorted by what is lost");
         for (mark, piece) in marks[k].iter_mut().zip(&items[k].pieces) {
-            *mark |= piece.knots.contains(&v);
+            *mark |= piece.knots.contains(&v) && items[k].can_be_halved(piece);
         }
     }
-    (!ranked.is_empty()).then_some(marks)
+    marks.iter().flatten().any(|&marked| marked).then_some(marks)
 }
 
 /// The item with the marked pieces halved, and for each of its knots the two old ones around it, or twice the same; `None` if nothing

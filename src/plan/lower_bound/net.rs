@@ -10,6 +10,10 @@ use crate::geometry::{Aabb, DVec2};
 use crate::order::{real, sort_by};
 use crate::problem::{self, NodeId, Problem};
 
+/// Longest piece that is not halved, mm: places on it hardly differ by more than their rounding. Where contours share a corner, what is
+/// lost there never ends, because the seconds of a leg go with the root of its length.
+const SHORTEST: f64 = 1e-6;
+
 /// A stretch of a contour between two knots, followed at even speed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
@@ -182,9 +186,14 @@ impl Item {
         self.pieces.iter().find_map(end).unwrap_or_default()
     }
 
-    /// Whether its pieces can be halved.
+    /// Whether it has pieces that can be halved.
     pub(super) fn can_halve(&self) -> bool {
         self.track.is_some()
+    }
+
+    /// Whether a piece can be halved.
+    pub(super) fn can_be_halved(&self, piece: &Piece) -> bool {
+        self.track.is_some() && piece.to - self.along[piece.knots[0]] > SHORTEST
     }
 
     /// The same item with knots at these arc lengths along its track; without a track there must be none.
@@ -204,12 +213,12 @@ impl Item {
         self.pieces.iter().filter(stays).count()
     }
 
-    /// The same item with the marked pieces halved; `None` without a track.
+    /// The same item with the marked pieces halved that can be; `None` without a track.
     pub(super) fn halved(&self, marked: &[bool]) -> Option<Self> {
         self.finer(marked, &vec![true; self.knots])
     }
 
-    /// The same item with the marked pieces halved, and without the pieces that touch no knot in use; `None` without a track.
+    /// The same item with the marked pieces halved that can be, and without the pieces that touch no knot in use; `None` without a track.
     pub(super) fn finer(&self, marked: &[bool], in_use: &[bool]) -> Option<Self> {
         let track = self.track.as_ref()?;
         let length = track.length();
@@ -219,7 +228,7 @@ impl Item {
             if !piece.touches(in_use) {
                 continue;
             }
-            if marked {
+            if marked && self.can_be_halved(piece) {
                 let middle = 0.5 * (start + piece.to);
                 // Past the end of the track, its beginning.
                 let lap = if middle >= length { length } else { 0.0 };

@@ -70,8 +70,8 @@ pub struct SheetOptions {
     pub join_tolerance: f64,
     /// Largest distance between elements that count as copies of each other, mm.
     pub copy_tolerance: f64,
-    /// Operations chosen by the person, by layer name. With `order_by_layer`, their order is the order of layers.
-    pub layers: Vec<(String, Operation)>,
+    /// Operations chosen by the person, by layer name; `None` where none was. With `order_by_layer`, their order is the order of layers.
+    pub layers: Vec<(String, Option<Operation>)>,
     /// Whether to process layer after layer, in the order of `layers`, then of the file.
     pub order_by_layer: bool,
     /// What a person has set for layers, by name.

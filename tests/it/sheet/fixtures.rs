@@ -8,7 +8,8 @@ use kerfway::sheet::{Operation, Sheet, SheetOptions};
 use serde_json::Value;
 
 fn options() -> SheetOptions {
-    let layers = vec![("Sheet".to_owned(), Operation::Ignore), ("mark".to_owned(), Operation::Mark)];
+    let layers =
+        vec![("Sheet".to_owned(), Some(Operation::Ignore)), ("mark".to_owned(), Some(Operation::Mark))];
     SheetOptions { layers, ..SheetOptions::default() }
 }
 
@@ -83,7 +84,7 @@ fn the_border_of_a_sheet_is_ignored_and_comes_back_on_request() {
     assert!((with.contours[border as usize].area - 500_000.0).abs() < 1e-6);
     assert_eq!(findings(&with, Code::SheetOutline).len(), 1);
     assert_eq!(findings(&with, Code::LayerSuggestion)[0].layer.as_deref(), Some("SHEET"));
-    let layers = vec![("mark".to_owned(), Operation::Mark)];
+    let layers = vec![("mark".to_owned(), Some(Operation::Mark))];
     let (without, _) = load("sheet_100", &SheetOptions { layers, ..SheetOptions::default() });
     // The others keep their ids.
     let worked = || without.contours.iter().filter(|c| c.is_processed());

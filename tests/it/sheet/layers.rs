@@ -15,7 +15,7 @@ fn two_layers() -> Drawing {
 }
 
 fn with(drawing: &Drawing, layers: &[(&str, Operation)], order_by_layer: bool) -> Sheet {
-    let layers = layers.iter().map(|(n, o)| ((*n).to_owned(), *o)).collect();
+    let layers = layers.iter().map(|(n, o)| ((*n).to_owned(), Some(*o))).collect();
     built(drawing, &SheetOptions { layers, order_by_layer, ..SheetOptions::default() })
 }
 

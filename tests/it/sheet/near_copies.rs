@@ -143,8 +143,10 @@ fn lines_that_are_meant_to_be_two_are_no_near_copies() {
     ];
     assert_eq!(reported(&sheet([polyline(&slit, true)])), None);
     let fill = (0..200).map(|k| ("ENGRAVE", line(0.0, 0.03 * f64::from(k), 20.0, 0.03 * f64::from(k))));
-    let marks =
-        SheetOptions { layers: vec![("ENGRAVE".to_owned(), Operation::Mark)], ..SheetOptions::default() };
+    let marks = SheetOptions {
+        layers: vec![("ENGRAVE".to_owned(), Some(Operation::Mark))],
+        ..SheetOptions::default()
+    };
     assert_eq!(reported(&built(&drawing(fill), &marks)), None, "a filled area that is marked");
 }
 

@@ -116,7 +116,7 @@ impl Strong {
             }
         }
         let marks = |(item, losses): (&Item, &Vec<f64>)| {
-            let bad = |p: &Piece| item.can_halve() && p.knots.iter().any(|&k| losses[k] > little);
+            let bad = |p: &Piece| item.can_be_halved(p) && p.knots.iter().any(|&k| losses[k] > little);
             item.pieces.iter().map(bad).collect()
         };
         ground.items.iter().zip(&losses).map(marks).collect()
