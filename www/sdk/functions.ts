@@ -6,7 +6,7 @@
 import { quietAtClose } from './closed.js';
 import { stopIfRefusedOffBed } from './doubt.js';
 import { KerfwayError, reportOf } from './errors.js';
-import { checkOptions, checkProgram, checkRendered, planning, reading, terms } from './options.js';
+import { checkOptions, checkProgram, checkRendered, DEFAULT_SECONDS, planning, reading, terms } from './options.js';
 import { readBytes, type Bytes, type Source } from './bytes.js';
 import type { CheckOptions, InspectOptions, JobOptions, PlanJobOptions, PlanningOptions, QuoteOptions, RenderOptions } from './options.js';
 import type { Started } from './plan-handle.js';
@@ -145,7 +145,8 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
       const run = async () => {
         try {
           options = checkOptions(options, 'plan');
-          const planned = await withPlanner(work, options.signal, options.seconds);
+          const byDefault = options.moves === undefined ? DEFAULT_SECONDS : 0;
+          const planned = await withPlanner(work, options.signal, options.seconds ?? byDefault);
           stream.end();
           return planned;
         } catch (error) {
