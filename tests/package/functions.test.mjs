@@ -11,6 +11,9 @@ import { bytes, circle, dxf, KEYBOARD, square } from './support.mjs';
 
 const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
 const keyboard = () => bytes(KEYBOARD);
+/** Twelve circles, of which a short search finds a better order. */
+const TWELVE = dxf(...Array.from({ length: 12 }, (_, k) => circle(20 + ((k * 67) % 200), 20 + ((k * 91) % 180), 3)));
+const SHORT = { units: 'mm', seed: 1, moves: 2_000 };
 
 describe('inspect', () => {
   it('describes a drawing', async () => {
@@ -64,8 +67,27 @@ describe('plan', () => {
     const { summary } = await run;
     assert.ok(looped.length > 0 && looped.every(({ moves }) => heard.includes(moves)));
     assert.deepEqual(looped.map((p) => p.total), looped.map((p) => p.total).toSorted((a, b) => b - a));
-    assert.ok(looped.at(-1).total >= summary.total_time);
+    assert.equal(looped.at(-1).total, summary.total_time);
     assert.ok(looped[0].path !== null);
+  });
+
+  // A search that ends within a frame reports nothing between its beginning and its end.
+  it('told neither a callback nor a loop of the last improvement', async () => {
+    const [heard, looped] = [[], []];
+    const run = plan(TWELVE, { ...SHORT, onProgress: (p) => heard.push(p) });
+    for await (const p of run) looped.push(p);
+    const { baselines, summary, path } = await run;
+    assert.ok(summary.total_time < baselines.greedy.total_time);
+    for (const last of [heard.at(-1), looped.at(-1)]) assert.deepEqual([last.summary.total_time, last.path.times], [summary.total_time, path.times]);
+  });
+
+  it('fails when its callback refuses the last improvement', async () => {
+    const [heard, refused] = [[], new Error('refused')];
+    const onProgress = ({ summary }) => {
+      if (heard.push(summary.total_time) > 1) throw refused;
+    };
+    await assert.rejects(plan(TWELVE, { ...SHORT, onProgress }), refused);
+    assert.ok(heard[1] < heard[0] && heard.length === 2);
   });
 
   it('stops when the loop is left, and keeps the best plan', async () => {

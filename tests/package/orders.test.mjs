@@ -6,6 +6,7 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { basket, inspect, isKerfwayError, partThumbnail, priceBreaks, quote, verifyQuote } from 'kerfway';
 import { sheetsFor } from '../../dist/sdk/sheets.js';
+import { planningOf } from '../../dist/sdk/verify-quote.js';
 import { bytes, circle, dxf, fixture, folder, KEYBOARD, kerfway, line, square } from './support.mjs';
 
 const OPTIONS = { name: 'keyboard.dxf', moves: 1000, seed: 1, units: 'mm', material: { name: 'Steel', thickness: 3, density: 7.85 }, limits: { smallest_hole: 5, hole_to_edge: 3 } };
@@ -60,6 +61,25 @@ describe('verifyQuote', () => {
     }
     const old = await verifyQuote(bytes(KEYBOARD), { schema: 'kerfway.quote/1' }).catch((e) => e.message);
     assert.match(old, /reads kerfway\.quote\/2\. Make the quote again\./);
+  });
+});
+
+describe('reports of small drawings', () => {
+  it('were refused when their search had lasted a second', async () => {
+    const plate = dxf(square(0, 0, 100), circle(50, 50, 10));
+    const report = await quote(plate, { moves: 6_000_000, seed: 1 });
+    assert.equal(report.moves, 6_000_000);
+    assert.deepEqual((await verifyQuote(plate, report)).differences, []);
+  });
+
+  it('may have 500 million moves, and those of large drawings 250,000 for each contour', () => {
+    const report = { workers: null, seed: 1, method: 'tour-tree', machine: {}, setting: null, placement: null, parameters: null };
+    const loaded = (count) => ({ contours: Array.from({ length: count }, () => ({ operation: 'cut' })) });
+    for (const [count, workers, most] of [[3, null, 500_000_000], [3, 4, 125_000_000], [2_000, null, 500_000_000], [10_000, null, 2_500_000_000]]) {
+      assert.equal(planningOf({ ...report, workers, moves: most }, loaded(count)).moves, most);
+      const message = `The report's field "moves" is ${most + 1}. Up to ${most} are verified for this drawing.`;
+      assert.throws(() => planningOf({ ...report, workers, moves: most + 1 }, loaded(count)), { code: 'out-of-range', message });
+    }
   });
 });
 

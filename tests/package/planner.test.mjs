@@ -195,6 +195,19 @@ describe('a plan that another one has displaced', () => {
   });
 });
 
+describe('a planner that is closed', () => {
+  for (const workers of [1, 2]) {
+    it(`with ${workers} worker${workers > 1 ? 's' : ''} at a plan, resolved it as if its worker had been replaced`, async () => {
+      const own = await createPlanner();
+      await own.load(bytes(KEYBOARD), 'keyboard.dxf');
+      let plan;
+      await new Promise((resolve) => (plan = own.plan({ ...LONG, workers }, ({ moves }) => moves > 0 && resolve())));
+      own.close();
+      await assert.rejects(plan.done, { code: 'closed', message: 'The planner was closed.' });
+    });
+  }
+});
+
 describe('output', () => {
   before(async () => {
     await planner.load(PLATE, 'plate.dxf', PLATE_OPTIONS);

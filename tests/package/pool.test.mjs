@@ -1,11 +1,13 @@
 // A pool of planners: the queue, back-pressure, workers that die, signals, and memory that does not grow.
 
 import assert from 'node:assert/strict';
+import { getEventListeners } from 'node:events';
 import { readFile } from 'node:fs/promises';
 import { describe, it } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
 import { Worker } from 'node:worker_threads';
 import { createPool } from 'kerfway';
+import { createFunctions } from '../../dist/sdk/functions.js';
 import { Planner } from '../../dist/sdk/planner.js';
 import { poolOf } from '../../dist/sdk/pool.js';
 import { bytes, circle, dxf, KEYBOARD, square } from './support.mjs';
@@ -114,6 +116,16 @@ describe('calls of a pool', () => {
   });
 });
 
+describe('the deadline of a pool', () => {
+  it('did not grant the ten seconds that a plan searches by default', async () => {
+    const { plan, quote } = createFunctions(async (_, __, seconds) => seconds);
+    const granted = await Promise.all([plan(PLATE), plan(PLATE, { seconds: 3 }), plan(PLATE, { moves: 5 }), plan(PLATE, { seconds: 3, moves: 5 })]);
+    assert.deepEqual(granted, [10, 3, 0, 3]);
+    // A quote has a number of moves by default, which is known once the drawing was read.
+    assert.deepEqual(await Promise.all([quote(PLATE), quote(PLATE, { seconds: 3 })]), [undefined, 3]);
+  });
+});
+
 describe('a worker that dies', () => {
   it('loses nothing: its file is planned again, with the same bytes', async (t) => {
     const { pool, workers } = fragile(t, 2);
@@ -196,6 +208,25 @@ describe('signals and closing', () => {
     first.abort();
     await assert.rejects(running, { name: 'AbortError' });
     assert.equal((await last).summary.contours, 2);
+  });
+
+  it('one signal for a batch made Node warn of a leak', async (t) => {
+    const warnings = [];
+    const heard = (warning) => warnings.push(warning.name);
+    process.on('warning', heard);
+    t.after(() => process.off('warning', heard));
+    const pool = pooled(t, { size: 2 });
+    const control = new AbortController();
+    const { signal } = control;
+    const listeners = () => getEventListeners(signal, 'abort').length;
+    const batch = () => Array.from({ length: 12 }, () => pool.plan(PLATE, { ...SHORT, signal }));
+    assert.equal((await Promise.all(batch())).length, 12);
+    assert.equal(listeners(), 0);
+    const aborted = batch();
+    assert.equal(listeners(), 1);
+    control.abort();
+    assert.deepEqual((await Promise.allSettled(aborted)).map(({ reason }) => reason?.name), Array(12).fill('AbortError'));
+    assert.deepEqual([listeners(), warnings], [0, []]);
   });
 
   it('closing rejects running, waiting and later calls', async () => {

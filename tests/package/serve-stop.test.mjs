@@ -1,9 +1,10 @@
 // kerfway serve begins with settings that make sense, takes what it has room for, and ends in order.
 
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
+import { spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
 import { Agent, request } from 'node:http';
+import { createServer } from 'node:net';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
@@ -152,6 +153,24 @@ describe('the service, when it is stopped', () => {
     await service.stop();
     assert.equal(closed, true);
   });
+
+  const REDIS = ['valkey-server', 'redis-server'].find((name) => spawnSync(name, ['--version']).status === 0);
+  for (const signal of ['SIGKILL', 'SIGSTOP']) {
+    it(`did not stop when the server of its queue had gone (${signal}) and was asked meanwhile`, { skip: REDIS === undefined }, async (t) => {
+      const free = createServer().listen(0, '127.0.0.1');
+      await once(free, 'listening');
+      const { port } = free.address();
+      free.close();
+      const redis = spawn(REDIS, ['--port', String(port), '--bind', '127.0.0.1', '--save', '', '--dir', folder(t)], { stdio: 'ignore' });
+      t.after(() => redis.kill('SIGKILL'));
+      const { send, stop } = await serve(t, '--queue', `redis://127.0.0.1:${port}`);
+      while ((await send(`/quote?${SHORT}`, PLATE)).status !== 202) await wait(50);
+      redis.kill(signal);
+      assert.equal((await send(`/quote?${SHORT}`, PLATE)).status, 503);
+      const [code] = await Promise.race([stop(), wait(20_000, ['still running'])]);
+      assert.equal(code, 0);
+    });
+  }
 
   it('as a worker without its queue did not stop when it was told to', async () => {
     const child = spawn(process.execPath, [CLI, 'work', '--queue', 'redis://127.0.0.1:1', '--workers', '1'], { stdio: ['ignore', 'pipe', 'ignore'] });

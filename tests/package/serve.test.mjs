@@ -124,6 +124,21 @@ describe('the service', () => {
     await refused(wrong, 405, 'method-not-allowed');
   });
 
+  it('let requests without a budget have the default one, which may be above its limits', async (t) => {
+    const { url, send } = await serve(t, '--most-seconds', '0.2', '--most-moves', '1000');
+    const limits = ({ properties: { seconds, moves } }) => [seconds.maximum, moves.maximum];
+    const { schemas } = (await (await fetch(`${url}/openapi.json`)).json()).components;
+    assert.deepEqual([limits(schemas.PlanOptions), limits(schemas.QuoteOptions)], [[0.2, 1000], [0.2, 1000]]);
+    const planned = await (await send('/plan', bytes(KEYBOARD))).json();
+    assert.deepEqual([planned.options.seconds, planned.reason], [0.2, 'budget']);
+    const quoted = await (await send('/quote', bytes(KEYBOARD))).json();
+    assert.deepEqual([quoted.moves, quoted.seed], [1000, 1]);
+    // A request that states its budget gets that one, and a seed is none.
+    assert.equal((await (await send('/quote?moves=500&seed=7', bytes(KEYBOARD))).json()).moves, 500);
+    const seeded = await (await send('/quote?seed=7', bytes(KEYBOARD))).json();
+    assert.deepEqual([seeded.moves, seeded.seed], [1000, 7]);
+  });
+
   it('refuses forms without a file, with several, with too many parts, and broken ones', async () => {
     const { send } = usual;
     const two = form(PLATE, 'a.dxf');
@@ -276,6 +291,8 @@ describe('the service', () => {
   it('describes itself in valid OpenAPI', async () => {
     const { url } = usual;
     const described = await (await fetch(`${url}/openapi.json`)).json();
+    const { seconds, moves } = described.components.schemas.QuoteOptions.properties;
+    assert.deepEqual([seconds.maximum, moves.maximum], [60, 500_000_000]);
     const { valid, errors } = await new Validator().validate(structuredClone(described));
     assert.equal(valid, true, JSON.stringify(errors));
     // tests/package/matrix/service.test.mjs generates a client from it.

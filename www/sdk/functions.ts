@@ -6,7 +6,7 @@
 import { quietAtClose } from './closed.js';
 import { stopIfRefusedOffBed } from './doubt.js';
 import { KerfwayError, reportOf } from './errors.js';
-import { checkOptions, checkProgram, checkRendered, planning, reading, terms } from './options.js';
+import { checkOptions, checkProgram, checkRendered, DEFAULT_SECONDS, planning, reading, terms } from './options.js';
 import { readBytes, type Bytes, type Source } from './bytes.js';
 import type { CheckOptions, InspectOptions, JobOptions, PlanJobOptions, PlanningOptions, QuoteOptions, RenderOptions } from './options.js';
 import type { Started } from './plan-handle.js';
@@ -105,6 +105,9 @@ const NAME = 'drawing.dxf';
 /** The budget of a drawing for which neither seconds nor moves are given; without one, the planner's own default. */
 export type DefaultBudget = (loaded: Loaded) => PlanningOptions;
 
+/** `quote` as the service calls it, with a default budget of its own. */
+export type QuoteWithin = (source: Source, options: QuoteOptions, ownBudget: DefaultBudget) => Promise<Quote>;
+
 export function createFunctions(withPlanner: WithPlanner, defaultBudget: DefaultBudget = () => ({})): Functions {
   return {
     inspect(source, options = {}) {
@@ -145,7 +148,8 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
       const run = async () => {
         try {
           options = checkOptions(options, 'plan');
-          const planned = await withPlanner(work, options.signal, options.seconds);
+          const byDefault = options.moves === undefined ? DEFAULT_SECONDS : 0;
+          const planned = await withPlanner(work, options.signal, options.seconds ?? byDefault);
           stream.end();
           return planned;
         } catch (error) {
@@ -157,13 +161,13 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
       return Object.assign(done, { stop: stopSearch, [Symbol.asyncIterator]: () => read(done, stream) });
     },
 
-    quote(source, given = {}) {
+    quote(source: Source, given: QuoteOptions = {}, ownBudget: DefaultBudget = quoteBudget) {
       let options = withWarmPath(given);
       const work = async (planner: Planner) => {
         const loaded = await loadedBy(planner, source, options);
         const { material, ...rest } = options;
         const setting = settingFor(material, options.machine, planner.machines);
-        await planner.plan(budgeted({ ...rest, ...setting }, loaded, quoteBudget), options.onProgress).done;
+        await planner.plan(budgeted({ ...rest, ...setting }, loaded, ownBudget), options.onProgress).done;
         return planner.quote(terms(options));
       };
       return quietAtClose(async () => {

@@ -89,17 +89,20 @@ export class RunningPlan {
         return;
       case 'progress':
         this.keep(message.progress);
-        this.report(message.progress);
+        void this.report(message.progress);
         return;
       case 'bound':
         if (this.last === null) return;
         this.last = { ...this.last, summary: bounded(this.last.summary, message.lowerBound) };
-        this.report({ ...this.last, path: null });
+        void this.report({ ...this.last, path: null });
         return;
-      case 'done':
+      case 'done': {
+        const isBetter = this.last !== null && message.progress.summary.total_time < this.last.summary.total_time;
         this.keep(message.progress);
+        if (isBetter) void this.report(message.progress);
         this.end(message.reason);
         return;
+      }
       case 'failed':
         this.fail(KerfwayError.of(message.error));
         return;
@@ -113,9 +116,9 @@ export class RunningPlan {
     return progress;
   }
 
-  /** The worker is gone: the plan ends with the best path reported so far, or fails if there is none. */
+  /** The worker is gone: the plan ends with the best path reported so far. It fails if there is none, or if its planner was closed. */
   interrupt(reason: Error): void {
-    if (this.path === null) this.fail(reason);
+    if (this.path === null || reason instanceof ClosedError) this.fail(reason);
     else this.end('replaced');
   }
 
@@ -126,13 +129,15 @@ export class RunningPlan {
     this.done.reject(reason);
   }
 
-  // A callback that throws (or rejects, when it is asynchronous) fails its own plan, and the search stops.
-  private report(progress: Progress): void {
-    const report = async () => this.onProgress(progress);
-    report().catch((error: unknown) => {
+  // A callback that throws (or rejects, when it is asynchronous) fails its own plan, and the search stops. One that throws does so at once,
+  // so that a plan whose last progress it refuses does not succeed.
+  private async report(progress: Progress): Promise<void> {
+    try {
+      await this.onProgress(progress);
+    } catch (error) {
       this.request('stop');
       if (!this.ended) this.fail(error);
-    });
+    }
   }
 
   private begin(started: Started): void {
@@ -146,6 +151,7 @@ export class RunningPlan {
   }
 
   private end(reason: DoneReason): void {
+    if (this.ended) return;
     this.ended = true;
     if (this.begun === null || this.last === null) this.fail(new KerfwayError('planner-died', 'The plan ended before it had a path.'));
     else this.done.resolve({ ...this.begun, reason, progress: { ...this.last, path: this.path } });

@@ -8,6 +8,7 @@ import { shown } from './check.js';
 import { ClosedError } from './closed.js';
 import { KerfwayError } from './errors.js';
 import { createFunctions, type Functions, type WithPlanner } from './functions.js';
+import { onAbort } from './on-abort.js';
 import type { Configuration } from './places.js';
 import type { Planner } from './planner.js';
 import { abortable } from './with-planner.js';
@@ -242,12 +243,12 @@ function withDeadline(given: AbortSignal | undefined, seconds: number): { signal
   const control = new AbortController();
   const follow = () => control.abort(given?.reason);
   if (given?.aborted === true) follow();
-  given?.addEventListener('abort', follow);
+  const forget = given === undefined ? null : onAbort(given, follow);
   const late = () => control.abort(new KerfwayError('deadline', `The drawing was not finished within ${seconds} seconds. Try again when less is to do, or raise the deadline.`, { seconds }));
   const timer = seconds <= LONGEST_TIMER ? setTimeout(late, seconds * 1000) : undefined;
   const clear = () => {
     clearTimeout(timer);
-    given?.removeEventListener('abort', follow);
+    forget?.();
   };
   return { signal: control.signal, clear };
 }

@@ -1,7 +1,7 @@
 /** The default budget of a quote: reproducible, and large enough for the number of contours. */
 
 import { activeContours } from './contours.js';
-import type { Budget, Loaded } from './protocol.js';
+import type { Loaded } from './protocol.js';
 
 /** A server that plans again with the same seed and moves confirms the hash of a report. */
 const SEED = 1;
@@ -13,7 +13,7 @@ const MOVES_OF_HUNDRED = 100 * MOVES_PER_CONTOUR;
 const LEAST_PER_CONTOUR = 25_000;
 
 /** Moves that grow with the number of contours, and the seed. It depends on the drawing alone. */
-export function quoteBudget(loaded: Pick<Loaded, 'contours'>): Budget & { seed: number } {
+export function quoteBudget(loaded: Pick<Loaded, 'contours'>): { moves: number; seed: number } {
   const contours = activeContours(loaded).length;
   const moves = Math.max(Math.min(MOVES_PER_CONTOUR * contours, MOVES_OF_HUNDRED), LEAST_PER_CONTOUR * contours);
   return { moves, seed: SEED };

@@ -21,6 +21,11 @@ export interface Verification {
 
 /** A report may ask for this many times the moves that a quote takes by default, of all its workers together. More would let a sender keep the server busy. */
 const MOST = 10;
+/**
+ * A small drawing may ask for as many as a large one, because a quote within seconds makes any number of moves: 500 million are what the
+ * service takes of a request, 50 s of a small drawing at ten million a second.
+ */
+const ALWAYS = 500_000_000;
 /** Each worker takes a thread and the memory of a planner. */
 const MOST_WORKERS = 16;
 
@@ -51,7 +56,7 @@ export function planningOf(report: Quote, loaded: Loaded): PlanOptions {
     throw new KerfwayError('out-of-range', `The report's field "workers" is ${String(workers)}. Reports of up to ${MOST_WORKERS} are verified.`, { field: 'workers', value: String(workers), least: 1, most: MOST_WORKERS });
   }
   // Each worker makes this number of moves.
-  const most = Math.floor((MOST * (quoteBudget(loaded).moves ?? 0)) / (workers ?? 1));
+  const most = Math.floor(Math.max(ALWAYS, MOST * quoteBudget(loaded).moves) / (workers ?? 1));
   if (!(Number.isSafeInteger(moves) && moves >= 0 && moves <= most)) {
     throw new KerfwayError('out-of-range', `The report's field "moves" is ${String(moves)}. Up to ${most} are verified for this drawing.`, { field: 'moves', value: String(moves), least: 0, most });
   }

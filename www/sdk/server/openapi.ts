@@ -1,9 +1,10 @@
 /** Describes the service as OpenAPI 3.1. The options come from the tables that check them, so that both say the same. */
 
-import { optional, type Field, type Kind } from '../check.js';
+import { optional, type Field, type Kind, type Range } from '../check.js';
 import { SHAPES } from '../fields.js';
 import { MOST_THUMBNAILS } from './jobs.js';
 import { fieldsOf, JOB_KINDS, type JobKind } from './request-options.js';
+import type { ServerSettings } from './settings.js';
 
 type Schema = Record<string, unknown>;
 
@@ -13,15 +14,17 @@ const SUMMARY: Record<JobKind, string> = {
   quote: 'Plans a drawing and reports what a price needs (kerfway.quote/2).',
 };
 
-/** The document. `queued`: work is put into a queue and answered later. */
-export function openapi(version: string, { queued, keys }: { queued: boolean; keys: boolean }): Schema {
+/** The document. With a queue, work is answered later. */
+export function openapi(version: string, settings: ServerSettings): Schema {
+  const [queued, keys] = [settings.queue !== null, settings.keys.size > 0];
   const security = keys ? [{ bearer: [] }, { key: [] }] : [];
+  const fieldsIn = (kind: JobKind) => fieldsOf(kind).map((field) => limited(field, settings));
   return {
     openapi: '3.1.0',
     info: { title: 'Kerfway', version, description: 'Plans the path of a laser cutter, and quotes jobs. Lengths in mm, areas in mm2, times in s, weights in g.', license: { name: 'MIT', identifier: 'MIT' } },
     servers: [{ url: '/' }],
     paths: {
-      ...Object.fromEntries(JOB_KINDS.map((kind) => [`/${kind}`, { post: operation(kind, queued, security) }])),
+      ...Object.fromEntries(JOB_KINDS.map((kind) => [`/${kind}`, { post: operation(kind, fieldsIn(kind), queued, security) }])),
       ...(queued ? { '/jobs/{id}': { get: jobOperation(security) } } : {}),
       '/healthz': { get: { operationId: 'healthz', summary: 'Whether the service accepts work.', security: [], responses: { 200: json('It does.', ref('Health')), 503: json('It is about to stop.', ref('Health')) } } },
       '/metrics': { get: { operationId: 'metrics', summary: 'Figures for Prometheus.', security, responses: { 200: { description: 'Text format of Prometheus.', content: { 'text/plain': { schema: { type: 'string' } } } }, ...failures([401]) } } },
@@ -37,15 +40,24 @@ export function openapi(version: string, { queued, keys }: { queued: boolean; ke
         Health: { type: 'object', required: ['status', 'version', 'waiting', 'running'], properties: { status: { enum: ['ok', 'stopping'] }, version: { type: 'string' }, waiting: { type: 'integer' }, running: { type: 'integer' } } },
         Job: { type: 'object', required: ['id', 'state'], properties: { id: { type: 'string' }, state: { type: 'string' } } },
         Report: { type: 'object', required: ['schema'], properties: { schema: { type: 'string' } }, additionalProperties: true },
-        ...Object.fromEntries(JOB_KINDS.map((kind) => [optionsName(kind), objectOf([NAME, ...fieldsOf(kind)])])),
+        ...Object.fromEntries(JOB_KINDS.map((kind) => [optionsName(kind), objectOf([NAME, ...fieldsIn(kind)])])),
         Machine: machineSchema(),
       },
     },
   };
 }
 
-function operation(kind: JobKind, queued: boolean, security: unknown[]): Schema {
-  const simple = fieldsOf(kind).filter((f) => isSimple(f.kind));
+/** A field with the limit of this service, where that is below the one of the package. */
+function limited(field: Field, { mostSeconds, mostMoves }: ServerSettings): Field {
+  const { name, kind } = field;
+  const within = (range: Range, most: number) => ({ ...range, most: Math.min(range.most, most) });
+  if (name === 'seconds' && typeof kind === 'object' && 'number' in kind) return { ...field, kind: { number: within(kind.number, mostSeconds) } };
+  if (name === 'moves' && typeof kind === 'object' && 'whole' in kind) return { ...field, kind: { whole: within(kind.whole, mostMoves) } };
+  return field;
+}
+
+function operation(kind: JobKind, fields: readonly Field[], queued: boolean, security: unknown[]): Schema {
+  const simple = fields.filter((f) => isSimple(f.kind));
   const parameter = (name: string, schema: Schema, description: string) => ({ name, in: 'query', required: false, schema, description });
   return {
     operationId: kind,

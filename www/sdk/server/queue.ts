@@ -43,7 +43,7 @@ async function libraries(): Promise<Libraries> {
 const connection = (address: string) => ({ url: address, maxRetriesPerRequest: null });
 const drawingKey = (id: string) => `kerfway:drawing:${id}`;
 
-/** A connection of our own for the drawings, which BullMQ does not keep. */
+/** A connection of our own: for the drawings, which BullMQ does not keep, and for what the service asks of the queue. */
 async function redisAt(address: string, log: Log): Promise<Redis> {
   const { Redis } = await libraries();
   const redis = new Redis(address, { maxRetriesPerRequest: null });
@@ -63,9 +63,9 @@ export function idOf(job: Job, bytes: Uint8Array): string {
 export async function queueBackend(address: string, { waiting, expires }: ServerSettings, log: Log): Promise<Backend> {
   const { Queue } = await libraries();
   const keep = { age: expires };
-  const queue = new Queue<Job>(QUEUE, { connection: connection(address), defaultJobOptions: { attempts: ATTEMPTS, backoff: BACKOFF, removeOnComplete: keep, removeOnFail: keep } });
-  queue.on('error', (error) => log('error', 'queue', { message: error.message }));
   const redis = await redisAt(address, log);
+  const queue = new Queue<Job>(QUEUE, { connection: redis, defaultJobOptions: { attempts: ATTEMPTS, backoff: BACKOFF, removeOnComplete: keep, removeOnFail: keep } });
+  queue.on('error', (error) => log('error', 'queue', { message: error.message }));
   let last = 0;
   const answered = async <T>(work: Promise<T>): Promise<T> => {
     try {
@@ -107,6 +107,7 @@ export async function queueBackend(address: string, { waiting, expires }: Server
       return answered(look());
     },
     waiting: () => last,
+    // The connection is ours, so BullMQ says no farewell on it, to which a server that is gone would never answer.
     close: async () => {
       await queue.close();
       redis.disconnect();

@@ -6,7 +6,7 @@
 import type { Field, Kind } from '../check.js';
 import { KerfwayError } from '../errors.js';
 import { SHAPES } from '../fields.js';
-import { checkOptions, OUTPUTS } from '../options.js';
+import { checkOptions, DEFAULT_SECONDS, OUTPUTS } from '../options.js';
 import type { OutputKind } from '../protocol.js';
 import type { ServerSettings } from './settings.js';
 
@@ -54,8 +54,12 @@ export function requestOptions(kind: JobKind, query: URLSearchParams, form: Read
   checkOptions(options, kind);
   atMost(options, 'seconds', settings.mostSeconds, 's');
   atMost(options, 'moves', settings.mostMoves, '');
+  if (kind === 'plan' && isUnbudgeted(options)) options['seconds'] = Math.min(DEFAULT_SECONDS, settings.mostSeconds);
   return options;
 }
+
+/** Whether a request says neither how long it searches nor with how many moves. */
+export const isUnbudgeted = (options: Record<string, unknown>) => options['seconds'] === undefined && options['moves'] === undefined;
 
 function parsed(text: string): Record<string, unknown> {
   let value: unknown;

@@ -13,7 +13,7 @@ import { keyOf } from './keys.js';
 import type { Log } from './log.js';
 import { Metrics } from './metrics.js';
 import { openapi } from './openapi.js';
-import { JOB_KINDS, requestOptions, type JobKind } from './request-options.js';
+import { isUnbudgeted, JOB_KINDS, requestOptions, type JobKind } from './request-options.js';
 import type { ServerSettings } from './settings.js';
 import { CLIENT_LEFT, statusOf, told } from './status.js';
 
@@ -131,7 +131,7 @@ class HttpService {
     if (route === 'other') throw new KerfwayError('not-found', `There is nothing at this address: there are ${[...JOB_KINDS.map((k) => `POST /${k}`), 'GET /healthz', 'GET /metrics', 'GET /openapi.json'].join(', ')}.`);
     if (request.method !== method && !(method === 'GET' && request.method === 'HEAD')) throw new KerfwayError('method-not-allowed', `This address answers ${method}.`, { allow: method });
     if (route === 'healthz') return this.health();
-    if (route === 'openapi') return ok(openapi(this.version, { queued: this.settings.queue !== null, keys: this.settings.keys.size > 0 }));
+    if (route === 'openapi') return ok(openapi(this.version, this.settings));
     keyOf(request, this.settings.keys);
     if (route === 'metrics') return { status: 200, body: this.metrics.text(), type: 'text/plain; version=0.0.4; charset=utf-8' };
     if (route === 'jobs') return this.job(url.pathname.slice('/jobs/'.length), gone);
@@ -172,6 +172,7 @@ class HttpService {
     const job = {
       kind, name: safeName(url.searchParams.get('name') ?? fields.get('name') ?? (options['name'] as string | undefined) ?? name), options,
       thumbnails: thumbnailsIn(kind, url.searchParams), acceptGuess: acceptGuessIn(url.searchParams, fields),
+      ...(kind === 'quote' && isUnbudgeted(options) ? { mostMoves: this.settings.mostMoves } : {}),
     };
     const answer = await this.backend.take(job, bytes, gone.signal);
     const headers: Record<string, string> = answer.status === 202 ? { location: `/jobs/${answer.body.id}` } : {};
