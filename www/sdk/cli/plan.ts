@@ -47,9 +47,9 @@ function refused(sentence: string, kind: string, outputs: readonly Output[]): st
   return isSaid ? sentence : `${sentence} Nothing was written: leave out --${kind} to have the other outputs.`;
 }
 
-async function reported(planner: Planner, loaded: Loaded, { progress: { summary, path }, baselines, findings }: PlanResult): Promise<string> {
+async function reported(planner: Planner, loaded: Loaded, { progress: { summary, path }, baselines, beam, findings }: PlanResult): Promise<string> {
   if (path === null) throw new KerfwayError('planner-died', 'The plan ended before it had a path.');
-  return jobReport({ loaded, summary, baselines, path, findings, quote: await planner.quote(), svg: await planner.output('svg') });
+  return jobReport({ loaded, summary, baselines, path, beam, findings, quote: await planner.quote(), svg: await planner.output('svg') });
 }
 
 /** The certificate of the bound. */
