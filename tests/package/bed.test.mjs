@@ -51,9 +51,9 @@ describe('kerfway plan', () => {
   });
 
   it('writes it with --allow-off-bed', async (t) => {
-    const { code, program, stdout } = await planned(t, [-5, 10], '--allow-off-bed');
+    const { code, program, stderr } = await planned(t, [-5, 10], '--allow-off-bed');
     assert.equal(code, 0);
-    assert.match(stdout, /^Bed +The job reaches from x -5/m);
+    assert.match(stderr, /^kerfway: \S+: The job reaches from x -5/m);
     assert.equal(extent(program)[0], -5);
   });
 

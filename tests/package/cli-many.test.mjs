@@ -40,6 +40,23 @@ describe('several drawings', () => {
     assert.deepEqual(rows.map((r) => /(\w+)\.dxf +(\d)/i.exec(r).slice(1)), [['a', '1'], ['b', '2'], ['c', '3']]);
   });
 
+  it('quantities, sheets, limits and savings were asked for in vain', async (t) => {
+    const at = drawings(t, ['a.dxf', 'b.dxf'], { 'limits.json': '{"smallest_part": [30, 10]}' });
+    const [a, b] = ['a.dxf', 'b.dxf'].map((name) => join(at, name));
+    const order = ['--units', 'mm', ...QUICK, '--quantity', '7', '--quantity', '700', '--sheet', '300x150', '--limits', join(at, 'limits.json')];
+    const [one, both] = [await kerfway('quote', a, ...order, '--json', `${at}/one/`), await kerfway('quote', a, b, ...order, '--json', `${at}/both/`)];
+    const under = both.stdout.split('\n').filter((line) => line.startsWith('  ')).map((line) => line.trim());
+    assert.match(both.stdout, /^File .*\n\S+a\.dxf .*\n {2}Limit .*\n {2}7 copies .*\n {2}700 copies .*\n\S+b\.dxf .*\n {2}Limit .*\n {2}Limit .*\n {2}7 copies .*\n {2}700 copies .*\n$/);
+    assert.deepEqual(under.slice(0, 3), one.stdout.split('\n').filter((line) => /^Limit|copies/.test(line)), 'as of a single file');
+    // 9 squares of 24 mm with gaps of 5 lie beside each other in 280 mm, 4 above each other in 130.
+    assert.match(under[2], /^700 copies .*, about 20 sheets$/);
+    assert.match(under.at(-1), /^700 copies .*, about 39 sheets$/);
+    assert.equal(readFileSync(join(at, 'both', 'a.json'), 'utf8'), readFileSync(join(at, 'one', 'a.json'), 'utf8'));
+    const saved = await kerfway('plan', a, b, ...QUICK, '--moving-pierce', '1', '--savings', '--json', '-');
+    assert.deepEqual(saved.stderr.split('\n').filter((line) => line.startsWith('  ')).map((line) => /^ {2}Levers {5}moving-pierce (saves|costs) /.test(line)), [true, true], saved.stderr);
+    for (const line of saved.stdout.trimEnd().split('\n')) assert.deepEqual(JSON.parse(line).savings.map(({ lever }) => lever), ['moving-pierce']);
+  });
+
   it('an unusable file is reported in a sentence, the others are processed, and the exit code is 4', async (t) => {
     const at = drawings(t, ['a.dxf', 'c.dxf'], { 'b.dxf': BROKEN });
     for (const command of ['plan', 'quote']) {

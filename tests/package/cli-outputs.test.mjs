@@ -8,7 +8,7 @@ import { describe, it } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
 import { COMMANDS } from '../../dist/sdk/cli/commands.js';
 import { contours, disk, faulty, fill, inputs, NOBODY, OLD, POSIX, QUICK, refused, ROOT_USER, run } from './outputs-support.mjs';
-import { CLI, folder } from './support.mjs';
+import { CLI, dxf, folder, square } from './support.mjs';
 
 /** What a command reads, if not a drawing. */
 const INPUTS = { solve: 'a.tsp', check: 'a.ngc', calibrate: 'plan.json=1500', verify: 'a.certificate.json' };
@@ -118,6 +118,18 @@ describe('outputs of one drawing', () => {
     const [args] = WRITERS[ALL](from, to);
     refused(await run(args, faulty('EPERM', { FAULT_AT: '5', FAULT_CALL: 'renameSync' })), 'the system does not allow it');
     assert.deepEqual(readdirSync(to), []);
+  });
+
+  it('were all lost without a word, if one of them cannot be made', async (t) => {
+    const [from, to] = [inputs(t), folder(t)];
+    writeFileSync(join(from, 'a.dxf'), dxf(square(0, 0, 40, 'CUT')));
+    const plan = ['plan', join(from, 'a.dxf'), ...QUICK, '--layer', 'CUT=cut,passes=2,z-step=0.5', '--z-speed', '10', '--rd', join(to, 'a.rd')];
+    const reason = /^kerfway: \S+a\.dxf: Ruida files of Kerfway do not lower the head: .*LightBurn project\.(.*)\n$/;
+    const rest = ' Nothing was written: leave out --rd to have the other outputs.';
+    for (const [more, said] of [[[], ''], [['--gcode', join(to, 'a.nc'), '--svg', join(to, 'a.svg')], rest]]) {
+      const { code, stderr } = await run([...plan, ...more]);
+      assert.deepEqual([code, reason.exec(stderr)?.[1], readdirSync(to)], [1, said, []], stderr);
+    }
   });
 
   it('stay as they were when standard output cannot be written', { skip: !existsSync('/dev/full') && 'there is no /dev/full' }, async (t) => {

@@ -5,7 +5,7 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { area, duration, elapsed, grams, meters, millimetres, size } from '../../dist/sdk/words.js';
-import { dxf, fixture, folder, kerfway, square } from './support.mjs';
+import { circle, dxf, fixture, folder, kerfway, line, square } from './support.mjs';
 
 /** A drawing of one square, in a folder of its own. */
 function drawing(t) {
@@ -29,6 +29,42 @@ describe('reports of the command line', () => {
     assert.deepEqual([0.0004, 0.4, 9.99, 344, 15_000].map(area), ['under 0.01 mm²', '0.40 mm²', '9.99 mm²', '344 mm²', '0.0150 m²']);
     assert.deepEqual([0.001, 0.4, 8.1, 12.4, 2500].map(grams), ['under 0.01 g', '0.40 g', '8.10 g', '12 g', '2.50 kg']);
     assert.equal(size([0, 0, 0.02, 40]), 'under 0.1 x 40.0 mm');
+  });
+
+  it('the warnings of a plan were in its JSON only', async (t) => {
+    const { at, path } = drawing(t);
+    // Two squares 0.1 mm apart, and a hole of 0.2 mm.
+    writeFileSync(path, dxf(square(0, 0, 40), square(40.1, 0, 40), circle(20, 20, 0.1)));
+    const words = ['plan', path, '--units', 'mm', '--kerf-width', '0.3', '--moves', '10', '--seed', '1'];
+    for (const [more, findings] of [[[], /^Findings {3}4: --json lists them$/m], [['--json', join(at, 'plate.json')], /^Findings {3}4: the JSON lists them$/m], [['--quiet'], /^$/]]) {
+      const { code, stdout, stderr } = await kerfway(...words, ...more);
+      assert.equal(code, 0, stderr);
+      assert.match(stdout, findings);
+      const [kerf, small, end] = stderr.split('\n');
+      assert.match(kerf, /^kerfway: \S+plate\.dxf: 3 warnings kerf-not-applied, for example: .*less than the kerf.* \(layer 0, at 40\.05, [\d.]+\)$/);
+      assert.match(small, /^kerfway: \S+plate\.dxf: This contour is 0\.2 mm wide .* \(layer 0, at 20\.00, 20\.00\)$/);
+      assert.equal(end, '', 'one line for each code');
+    }
+    assert.match((await kerfway('quote', ...words.slice(1))).stdout, /^ +3 contours are cut along their drawn lines, without kerf compensation\.$/m);
+  });
+
+  it('warnings of the drawing and of the plan are counted together, and --quiet prints both', async (t) => {
+    const { path } = drawing(t);
+    writeFileSync(path, dxf(square(0, 0, 40), square(40.1, 0, 40), line(100, 0, 120, 0), line(100, 9, 120, 9)));
+    const words = ['plan', path, '--units', 'mm', '--kerf-width', '0.3', '--moves', '10', '--seed', '1'];
+    const [loud, quiet] = [await kerfway(...words), await kerfway(...words, '--quiet')];
+    assert.match(loud.stdout, /^Findings {3}4: kerfway inspect \S+plate\.dxf lists 2 of them, --json all$/m);
+    const codes = ({ stderr }) => [...stderr.matchAll(/: (\d) warnings ([a-z-]+), for example: /g)].map(([, n, code]) => `${n} ${code}`);
+    assert.deepEqual([codes(loud), codes(quiet)], [['2 kerf-not-applied'], ['2 open-contour', '2 kerf-not-applied']]);
+    const inspected = await kerfway('inspect', path, '--units', 'mm', '--quiet');
+    assert.deepEqual([inspected.stdout, codes(inspected)], ['', ['2 open-contour']]);
+  });
+
+  it('contours beyond those that are listed are counted', async (t) => {
+    const { path } = drawing(t);
+    writeFileSync(path, dxf(...Array.from({ length: 250 }, (_, k) => square(10 * (k % 25), 10 * Math.floor(k / 25), 4))));
+    const { stderr } = await kerfway('plan', path, '--units', 'mm', '--joints', '9', '--joint-width', '2', '--moves', '10', '--seed', '1', '--quiet');
+    assert.match(stderr, /^kerfway: \S+: 200 warnings joint-\w+, for example: Contour 0 has .*\nkerfway: \S+: Not listed one by one: 50 .*\n$/);
   });
 
   it('a misspelt layer is no finding of the drawing, in which inspect would look for it in vain', async (t) => {

@@ -47,6 +47,7 @@ describe('a report of a job', () => {
       ['svg', undefined, new Uint8Array(3)],
       ['findings', null, 'none'],
       ['date', null, '2026-11-29', new Date('soon')],
+      ['beam', 5, 'x', {}],
     ]) for (const value of values) await refused(() => jobReport({ ...job(), [field]: value }), 'wrong-type', field);
     assert.equal(await refused(() => jobReport({ ...job(), path: null }), 'wrong-type', 'path'), 'The field "path" of the report is null. Give what plan and quote return, the plan as SVG, and a valid date.');
   });

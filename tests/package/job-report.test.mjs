@@ -27,7 +27,7 @@ it('has the figures of the plan, each part, the order, and nothing that runs or 
   assert.match(page, /<dt>Printed<\/dt><dd>2026-11-25 10:30<\/dd>/);
   assert.match(page, new RegExp(`<p class="time">${summary.total_time.toFixed(1)} s</p>`));
   assert.match(page, /<td>1<\/td><td>100 × 100 mm<\/td><td>96\.07 cm²<\/td><td>0\.49 m<\/td><td>2<\/td>/);
-  const rows = [...page.matchAll(/<tr><td>(\d)<\/td><td>(\d)<\/td><td>0<\/td><td>([\d.]+) s<\/td>/g)].map((m) => Number(m[2]) - 1);
+  const rows = [...page.matchAll(/<tr><td>(\d)<\/td><td>(\d)<\/td><td>0<\/td><td>([\d.]+) s<\/td>/g)].map((m) => Number(m[2]));
   assert.deepEqual(rows, [...path.contours]);
   assert.match(page, /<h2>Cutting order<\/h2><div class="order"><table>/);
   assert.match(page, /@media print \{.*\.order \{ columns: 2;/, 'hundreds of rows fill half as many sheets of paper');
@@ -35,6 +35,28 @@ it('has the figures of the plan, each part, the order, and nothing that runs or 
   assert.equal(ENGLISH_REPORT.duration(11_040), '3 h 04 min', 'as on the command line');
   const picture = Buffer.from(/base64,([^"]+)"/.exec(page)[1], 'base64').toString();
   assert.equal(picture, await planner.output('svg'));
+});
+
+/** Contour and layer of each row of the order. */
+const rowsOf = (page) => [...page.matchAll(/<tr><td>\d+<\/td><td>([^<]*)<\/td><td>([^<]*)<\/td><td>[\d.]+ s<\/td>/g)].map(([, contour, layer]) => `${contour} ${layer}`);
+
+it('numbered contours from 1, and the program and the options from 0', async (t) => {
+  const at = folder(t);
+  const [file, page, program] = ['plate.dxf', 'plate.html', 'plate.nc'].map((name) => join(at, name));
+  writeFileSync(file, dxf(square(0, 0, 100), circle(50, 50, 10), square(200, 0, 30, 'B')));
+  const planned = async (...more) => {
+    await run(process.execPath, [CLI, 'plan', file, '--units', 'mm', '--moves', '500', '--seed', '1', '--report', page, '--gcode', program, ...more]);
+    return rowsOf(readFileSync(page, 'utf8'));
+  };
+  const rows = await planned();
+  assert.deepEqual(rows, [...readFileSync(program, 'utf8').matchAll(/cut contour (\d+), layer (\w+)/g)].map(([, contour, layer]) => `${contour} ${layer}`));
+  const [, other] = /(\d+) B/.exec(rows.join());
+  assert.deepEqual((await planned('--exclude', other)).sort(), rows.filter((row) => row !== `${other} B`).sort());
+  // All passes of a contour are one stop, or each is one: then they have the number of their contour.
+  assert.deepEqual(await planned('--layer', '0=cut,passes=2'), rows.map((row) => row.replace(' 0', ' (2 times) 0')));
+  const bySheet = await planned('--layer', '0=cut,passes=3', '--pass-order', 'sheet', '--kerf-width', '0.2', '--allow-off-bed');
+  assert.deepEqual([...bySheet].sort(), ['0 (1/3) 0', '0 (2/3) 0', '0 (3/3) 0', '1 (1/3) 0', '1 (2/3) 0', '1 (3/3) 0', '2 B']);
+  for (const contour of ['0', '1']) assert.deepEqual(bySheet.filter((row) => row.startsWith(contour)).map((row) => row[3]), ['1', '2', '3'], 'in the order in which they are cut');
 });
 
 it('is an output of the command line', async (t) => {

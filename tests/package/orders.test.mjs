@@ -127,6 +127,7 @@ describe('baskets and price breaks', () => {
     const report = await quote(dxf(square(0, 0, 10)), { moves: 10, seed: 1 });
     for (const [call, code, field] of [
       [() => basket([{ report: {} }]), 'not-a-quote', 'items[0].report'], [() => basket([{ report, quantity: 0 }]), 'out-of-range', 'items[0].quantity'], [() => basket([{ report, quantity: Object.create(null) }]), 'wrong-type', 'items[0].quantity'],
+      [() => basket([{ report }, { report, qty: 10 }]), 'unknown-field', 'items[1].qty'], [() => basket([{ report, quantiy: 10 }]), 'unknown-field', 'items[0].quantiy'],
       [() => basket(null), 'wrong-type', 'items'], [() => priceBreaks(report), 'wrong-type', 'quantities'],
       [() => priceBreaks(report, [1.5]), 'out-of-range', 'quantities[0]'], [() => priceBreaks(report, [1], { stock: { width: 5 } }), 'missing-field', 'height'],
       [() => priceBreaks(report, [1], { stock: { width: 100, height: 100, gpa: 1 } }), 'unknown-field', 'gpa'],
@@ -185,6 +186,25 @@ describe('the estimate of sheets', () => {
       assert.ok(count <= Math.ceil((4 * fitting.reduce((sum, b) => sum + (b.width + stock.gap) * (b.height + stock.gap) * b.count, 0)) / (w * h)) + fitting.length);
       assert.deepEqual(sheetsFor([...boxes].reverse(), stock), sheetsFor(boxes, stock));
     }
+  });
+
+  it('counted twice the sheets when width and height of the stock were given the other way round', () => {
+    const counts = (box, count, [w, h]) => [[w, h], [h, w]].map(([width, height]) => sheetsFor([{ ...box, count }], { width, height }).count);
+    // Four plates stand beside each other on a sheet of 3000 x 1500 mm; lying, there are two.
+    assert.deepEqual(counts({ width: 1000, height: 740 }, 120, [3000, 1500]), [30, 30]);
+    for (let width = 50; width <= 1450; width += 100) {
+      for (let height = 40; height <= 1450; height += 70) {
+        for (const sheet of [[3000, 1500], [1250, 1250], [2500, 1250]]) {
+          const [given, other] = counts({ width, height }, 37, sheet);
+          assert.equal(given, other, `${width} x ${height} on ${sheet.join(' x ')}`);
+          assert.equal(given, counts({ width: height, height: width }, 37, sheet)[0], 'nor does it matter how the part is drawn');
+        }
+      }
+    }
+    const mixed = [{ width: 1000, height: 740, count: 9 }, { width: 300, height: 1200, count: 5 }, { width: 4000, height: 10, count: 2 }];
+    const [a, b] = [[3000, 1500], [1500, 3000]].map(([width, height]) => sheetsFor(mixed, { width, height }));
+    assert.deepEqual([a.count, a.covered, a.too_large], [b.count, b.covered, b.too_large]);
+    assert.equal(a.too_large, 2);
   });
 
   it('is quick for a million boxes', () => {

@@ -22,6 +22,9 @@ function kindOf(module: string): string {
   return /www\/app\/(session|panels)\/[\w-]+\.ts$/.test(module) ? 'later-' : '';
 }
 
+/** The modules of the package that only a report takes, although its index, which the page needs at once, exports them. */
+const REPORT = /sdk\/(job-report|report-text)\.js$/;
+
 /** Whether the page needs a module at once: from its own script, imports that are no calls lead to it. */
 function isNeededAtOnce(module: string, modules: { getModuleInfo(id: string): { isEntry: boolean; importers: readonly string[] } | null }): boolean {
   const found = new Set([module]);
@@ -49,7 +52,7 @@ export default defineConfig({
       treeshake: { propertyReadSideEffects: false },
       output: {
         // What the page needs at once is one file: many small ones are larger when they are compressed.
-        codeSplitting: { groups: [{ debugName: 'page', name: (id, context) => (isNeededAtOnce(id, context) ? 'page' : null) }] },
+        codeSplitting: { groups: [{ debugName: 'page', name: (id, context) => (isNeededAtOnce(id, context) && !REPORT.test(id) ? 'page' : null) }] },
         // What it loads when it is needed. The build and the service worker know these files by their names.
         chunkFileNames: ({ facadeModuleId }) => `assets/${kindOf(facadeModuleId ?? '')}[name]-[hash].js`,
       },

@@ -62,6 +62,8 @@ const STOCK: Shape = {
 };
 /** The stock is checked by its own table, whose sentences name it. */
 const OPTIONS: Shape = { owner: 'A basket', item: 'option', value: 'The option', fields: [optional('stock', 'any')] };
+/** What an item may have; report and quantity are checked by their own rules. */
+const ITEMS: Shape = { owner: 'A basket', item: 'field', value: 'The field', fields: [optional('items', { list: { object: [optional('report', 'any'), optional('quantity', 'any')] } })] };
 const COUNT: Range = { least: 1, most: 1e6, or_zero: false, unit: '', why: 'it is a number of copies' };
 
 /** Throws a `KerfwayError` unless this is a number of copies. */
@@ -86,10 +88,12 @@ export function checkStock(stock: unknown): void {
 export function basket(items: readonly BasketItem[], options: BasketOptions = {}): BasketReport {
   const stock = stockOf(options);
   checkOne('The field', 'items', { list: 'any' }, items);
-  const lines = items.map((item: unknown, k) => {
+  items.forEach((item: unknown, k) => {
     if (!isRecord(item)) throw new KerfwayError('wrong-type', `The field "items[${k}]" is no object. Give an object with a report and a quantity.`, { field: `items[${k}]` });
-    return lineOf(checkReport(item['report'], `items[${k}].report`, ADDED), checkQuantity(`items[${k}].quantity`, item['quantity'] === undefined ? 1 : item['quantity']));
   });
+  // A misspelt quantity would price a single copy.
+  check(ITEMS, { items });
+  const lines = items.map(({ report, quantity = 1 }, k) => lineOf(checkReport(report, `items[${k}].report`, ADDED), checkQuantity(`items[${k}].quantity`, quantity)));
   const weights = lines.map((l) => l.weight);
   return {
     schema: 'kerfway.basket/1',

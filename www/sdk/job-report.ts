@@ -8,7 +8,7 @@ import { isList, isRecord, shown } from './check.js';
 import { KerfwayError } from './errors.js';
 import { PROVEN } from './gap.js';
 import { partThumbnail } from './thumbnail.js';
-import type { Baselines, BestPath, Finding, Loaded, Summary } from './protocol.js';
+import type { Baselines, Beam, BestPath, ContourInfo, Finding, Loaded, Summary } from './protocol.js';
 import type { Quote } from './quote.js';
 import { ENGLISH, type ReportText } from './report-text.js';
 
@@ -21,6 +21,8 @@ export interface ReportInput {
   quote: Quote;
   /** The plan as SVG. */
   svg: string;
+  /** The contours that the numbers of the path refer to, if the plan has them: with passes sheet by sheet, a kerf width, and the like. */
+  beam?: Beam | null;
   /** Findings of the plan; those of the drawing are in `loaded`. */
   findings?: readonly Finding[];
   /** When the report was made. Default: it does not say. */
@@ -78,7 +80,7 @@ ${section(w.order, order(job, text), 'order')}
 
 /** Throws a `KerfwayError` that names the first field which is not what a report is made of. */
 function checkInput(job: Partial<ReportInput> | null): void {
-  const { loaded, summary, baselines, path, quote, svg, findings = [], date = new Date(0) } = job ?? {};
+  const { loaded, summary, baselines, path, quote, svg, beam, findings = [], date = new Date(0) } = job ?? {};
   const fits: Partial<Record<keyof ReportInput, boolean>> = {
     loaded: isList(loaded?.contours) && isList(loaded.parts) && isList(loaded.findings) && isRecord(loaded.geometry),
     summary: typeof summary?.total_time === 'number',
@@ -86,6 +88,7 @@ function checkInput(job: Partial<ReportInput> | null): void {
     path: isList(path?.contours) && isList(path.points) && isList(path.times),
     quote: quote?.schema === 'kerfway.quote/2',
     svg: typeof svg === 'string',
+    beam: beam == null || isList(beam.contours),
     findings: isList(findings),
     date: date instanceof Date && !Number.isNaN(date.getTime()),
   };
@@ -125,11 +128,24 @@ function findings({ loaded, findings: ofPlan = [] }: ReportInput, { words: w, nu
   return `<ul>${all.map((f) => `<li class="${escaped(f.severity)}"><b>${escaped(w.severities[f.severity] ?? f.severity)}</b> ${escaped(finding(f))}${f.count > 1 ? ` (${escaped(w.times(f.count))})` : ''}${f.at === null ? '' : place(f.at)}</li>`).join('')}</ul>`;
 }
 
-function order({ path, loaded }: ReportInput, text: ReportText): string {
+/** Contours have the numbers of programs and options, which begin with 0; with several passes, also which one it is, or how many follow each other. */
+function order({ path, loaded, quote, beam }: ReportInput, text: ReportText): string {
   const { words: w, duration, number } = text;
-  const rows = Array.from(path.contours.slice(0, MOST_ROWS), (contour, k): Cell[] => [
-    k + 1, contour + 1, loaded.contours[contour]?.layer ?? '', duration(path.times[2 * k] ?? 0), `${number(path.points[4 * k] ?? 0)}, ${number(path.points[4 * k + 1] ?? 0)}`,
-  ]);
+  const all = beam?.contours ?? loaded.contours;
+  const rows = Array.from(path.contours.slice(0, MOST_ROWS), (id, k): Cell[] => {
+    let contour = all[id];
+    let later = 0;
+    // Sheet by sheet, each pass but the last is a contour of its own: it comes after all others, inside the next pass of the same line.
+    while (contour && contour.id >= loaded.contours.length) {
+      const next: ContourInfo | undefined = all[contour.inside!];
+      if (next?.area !== contour.area || next.length !== contour.length) break;
+      contour = next;
+      later += 1;
+    }
+    const passes = loaded.layers.find((l) => l.name === contour?.layer)?.settings?.passes ?? quote.machine[contour?.operation === 'mark' ? 'mark' : 'cut'].passes ?? 1;
+    const which = passes > 1 ? ` (${quote.options['pass_order'] === 'sheet' ? `${passes - later}/${passes}` : w.times(passes)})` : '';
+    return [k + 1, (contour?.id ?? id) + which, contour?.layer ?? '', duration(path.times[2 * k] ?? 0), `${number(path.points[4 * k] ?? 0)}, ${number(path.points[4 * k + 1] ?? 0)}`];
+  });
   const more = path.contours.length - rows.length;
   return table(text, [w.no, w.contour, w.layer, w.begins, w.entry], rows) + (more > 0 ? `<p>${escaped(w.more(more))}</p>` : '');
 }

@@ -1,10 +1,12 @@
-/** How the report of a job is written: in the language and the unit of lengths of the page. */
+/** The report of a job, and how it is written: in the language and the unit of lengths of the page. Loaded when somebody asks for a report. */
 
 import { ENGLISH_REPORT, type ReportText } from 'kerfway';
 import { area, extent, metres, millimetres, seconds, upTo } from '../core/format.js';
 import { lengthUnit, shownIn } from '../core/lengths.js';
 import { sentenceOf } from '../core/strings.js';
 import { language, words } from '../core/words/index.js';
+
+export { jobReport } from 'kerfway';
 
 export function reportText(): ReportText {
   const { unit, factor } = shownIn('mm');

@@ -4,7 +4,7 @@
  */
 
 import {
-  jobReport, type Calibration, type LoadOptions, type MachineProfile, type Material, type MeasuredPlan, type OutputKind, type Planner, type ProgramCheck, type Project, type Quote,
+  type Calibration, type LoadOptions, type MachineProfile, type Material, type MeasuredPlan, type OutputKind, type Planner, type ProgramCheck, type Project, type Quote,
 } from 'kerfway';
 import { messageOf } from '../core/strings.js';
 import { type Shared, written } from './address.js';
@@ -15,7 +15,6 @@ import type { Decided } from './kept-sample.js';
 import type { Placing } from './placing.js';
 import { keptPlan } from './kept-plan.js';
 import { Planning } from './planning.js';
-import { reportText } from './report-text.js';
 import { rememberedMachine, rememberMachine } from './profiles.js';
 import { decidedIn, keptIn, projectOf } from './projects.js';
 import type { Sample } from './samples.js';
@@ -190,10 +189,11 @@ export class Session {
 
   /** The report of the best plan, as HTML; null while there is none. */
   async report(): Promise<string | null> {
-    const { loaded, progress, baselines, path, planFindings: findings } = this.state;
+    const { loaded, progress, baselines, path, beam, planFindings: findings } = this.state;
     if (loaded === null || progress === null || baselines === null || path === null) return null;
     const [svg, quote] = [(await this.output('svg')) as string, await this.quote({})];
-    return jobReport({ loaded, summary: progress.summary, baselines, path, findings, svg, quote, date: new Date(), text: reportText() });
+    const { jobReport, reportText } = await import('./report-text.js');
+    return jobReport({ loaded, summary: progress.summary, baselines, path, beam, findings, svg, quote, date: new Date(), text: reportText() });
   }
 
   /** The planner, to be asked about the best plan. */

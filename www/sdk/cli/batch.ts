@@ -39,7 +39,7 @@ export async function eachFile({ words, values }: Words, { outputs, columns, inp
   const report = new Report(destinations.piped, columns, values['quiet'] === true);
   const to: Outlet = {
     write: (file, written) => destinations.write(file, written),
-    report: (place, lines, cells) => report.add(place, lines, cells),
+    report: (place, lines, cells, under) => report.add(place, lines, cells, under),
   };
   const round = async (files: readonly string[], all: readonly string[]): Promise<string[]> => {
     destinations.begin(all);

@@ -10,6 +10,7 @@ import { outputsOf } from './destinations.js';
 import { usable } from './io.js';
 import { opened } from './opened.js';
 import type { Column } from './report.js';
+import { placeOf, warn } from './warnings.js';
 import { meters, plural, size, unitOf } from '../words.js';
 
 export async function inspect(args: string[]): Promise<void> {
@@ -22,6 +23,8 @@ export async function inspect(args: string[]): Promise<void> {
     await eachFile(given, { outputs, columns: COLUMNS }, async (file, place, to) => {
       const { drawing, name, reading } = await opened(file);
       const loaded = await usable(file, planner.load(drawing, name, { ...reading, ...options }));
+      // The report lists them.
+      if (given.values['quiet'] === true) warn(file, loaded.findings);
       const data = `${JSON.stringify(inspectReport(loaded))}\n`;
       await to.write(file, outputs.map((output) => ({ output, data })));
       // When a program reads the report of a single drawing, no second report is needed.
@@ -74,12 +77,7 @@ function suggested(operation: string | null): string {
   return operation === null ? '' : `; its name suggests ${operation}`;
 }
 
-function finding({ severity, code, message, layer, handle, at, count }: Finding): string {
-  const place = [
-    layer === null ? '' : `layer ${layer}`,
-    handle === null ? '' : `handle ${handle}`,
-    at === null ? '' : `at ${at[0].toFixed(2)}, ${at[1].toFixed(2)}`,
-  ].filter((s) => s !== '');
-  const times = count > 1 ? ` [${count}]` : '';
-  return `  ${severity} ${code}${times}: ${message}${place.length > 0 ? ` (${place.join(', ')})` : ''}`;
+function finding(f: Finding): string {
+  const times = f.count > 1 ? ` [${f.count}]` : '';
+  return `  ${f.severity} ${f.code}${times}: ${f.message}${placeOf(f)}`;
 }

@@ -7,12 +7,13 @@ import type { Planner, PlanResult } from '../node.js';
 import type { Loaded, MachineProfile, OutputKind, PlanOptions, Proof } from '../protocol.js';
 import { withSavings } from '../savings.js';
 import { parsed } from './arguments.js';
-import { outputsOf, type Written } from './destinations.js';
+import { outputsOf, type Output, type Written } from './destinations.js';
 import { nameOf, usable } from './io.js';
 import { complain } from './safe-text.js';
 import { planFiles } from './planning.js';
 import type { Column } from './report.js';
 import { savingLines, savingsOf } from './savings.js';
+import { isNotable, ofDrawing } from './warnings.js';
 import { duration, elapsed, meters, percentAtMost, plural, skeletonLines, unitOf } from '../words.js';
 
 const OUTPUTS: readonly (OutputKind | 'report' | 'certificate')[] = ['json', 'gcode', 'svg', 'dxf', 'png', 'lbrn2', 'rd', 'remainder', 'report', 'certificate'];
@@ -25,7 +26,7 @@ export async function plan(args: string[]): Promise<void> {
     for (const output of outputs) {
       const { kind } = output;
       const data = kind === 'report' ? reported(planner, loaded, result) : kind === 'certificate' ? certified(proof) : planner.output(kind);
-      written.push({ output, data: await usable(file, data) });
+      written.push({ output, data: await usable(file, data, (sentence) => refused(sentence, kind, outputs)) });
     }
     const saved = given.values['savings'] === true ? await usable(file, savingsOf(planner, options, result)) : null;
     if (saved !== null) {
@@ -35,13 +36,20 @@ export async function plan(args: string[]): Promise<void> {
     const takes = (options.machine as MachineProfile | undefined)?.takes ?? 'gcode';
     if (takes !== 'gcode' && outputs.some((o) => o.kind === 'gcode')) complain(`The controller of ${(options.machine as MachineProfile).name} takes ${takes.toUpperCase()} (--${takes}), not G-code.`);
     await to.write(file, written);
-    await to.report(place, () => [...lines(file, loaded, result, options), ...savingLines(saved)], () => row(file, loaded, result));
+    const savings = () => savingLines(saved);
+    await to.report(place, () => [...lines(file, loaded, result, options), ...findingLine(file, loaded, result, outputs), ...savings()], () => row(file, loaded, result), savings);
   });
 }
 
-async function reported(planner: Planner, loaded: Loaded, { progress: { summary, path }, baselines, findings }: PlanResult): Promise<string> {
+/** Why an output cannot be made. It names the output, because those of a drawing are written together or not at all. */
+function refused(sentence: string, kind: string, outputs: readonly Output[]): string {
+  const isSaid = outputs.length === 1 || sentence.includes('Nothing was written');
+  return isSaid ? sentence : `${sentence} Nothing was written: leave out --${kind} to have the other outputs.`;
+}
+
+async function reported(planner: Planner, loaded: Loaded, { progress: { summary, path }, baselines, beam, findings }: PlanResult): Promise<string> {
   if (path === null) throw new KerfwayError('planner-died', 'The plan ended before it had a path.');
-  return jobReport({ loaded, summary, baselines, path, findings, quote: await planner.quote(), svg: await planner.output('svg') });
+  return jobReport({ loaded, summary, baselines, path, beam, findings, quote: await planner.quote(), svg: await planner.output('svg') });
 }
 
 /** The certificate of the bound. */
@@ -59,7 +67,7 @@ const COLUMNS: readonly Column[] = [
   { title: 'Findings', width: 8, right: true },
 ];
 
-function row(file: string, loaded: Loaded, { progress: { summary: s }, baselines }: PlanResult): string[] {
+function row(file: string, loaded: Loaded, { progress: { summary: s }, baselines, findings }: PlanResult): string[] {
   return [
     file,
     String(s.contours),
@@ -67,15 +75,13 @@ function row(file: string, loaded: Loaded, { progress: { summary: s }, baselines
     duration(s.total_time),
     duration(baselines.drawing.total_time),
     s.gap === null ? '' : s.gap <= PROVEN ? 'proven' : percentAtMost(s.gap),
-    String(notableFindings(loaded)),
+    String(ofDrawing(loaded).length + findings.filter(isNotable).length),
   ];
 }
 
 function lines(file: string, loaded: Loaded, result: PlanResult, { machine, workers = 1 }: PlanOptions): string[] {
   const { summary: s, moves, seconds } = result.progress;
   const { drawing, greedy } = result.baselines;
-  // What the options are doubtful about was said, and is none of the drawing's.
-  const findings = notableFindings({ ...loaded, findings: loaded.findings.filter((f) => f.code !== 'layer-unknown') });
   const text = [
     `${nameOf(file)}: ${plural(s.contours, 'contour')} (${s.open_contours} open), ${plural(s.parts, 'part')}, ` +
       `${meters(s.cut_length)} to cut`,
@@ -90,12 +96,15 @@ function lines(file: string, loaded: Loaded, result: PlanResult, { machine, work
   if (s.gap !== null) {
     text.push(`Optimum    ${s.gap <= PROVEN ? 'this path is proven optimal' : `at least ${duration(s.lower_bound)}: this path takes at most ${percentAtMost(s.gap)} longer`}`);
   }
-  for (const { message } of result.findings.filter((f) => f.code === 'off-bed')) text.push(`Bed        ${message}`);
   if (loaded.units.doubtful) text.push(`Units      ${unitOf(loaded.units)}, in doubt: ${loaded.units.reason}`);
-  if (findings > 0) text.push(`Findings   ${findings}: kerfway inspect ${file} lists them`);
   return text;
 }
 
-function notableFindings({ findings }: Loaded): number {
-  return findings.filter((f) => f.severity !== 'info').length;
+/** How many warnings and errors there are, and where they are listed. */
+function findingLine(file: string, loaded: Loaded, { findings }: PlanResult, outputs: readonly Output[]): string[] {
+  const [drawn, planned] = [ofDrawing(loaded).length, findings.filter(isNotable).length];
+  if (drawn + planned === 0) return [];
+  const inspect = `kerfway inspect ${file} lists`;
+  const where = planned === 0 ? `${inspect} them` : outputs.some(({ kind }) => kind === 'json') ? 'the JSON lists them' : drawn === 0 ? '--json lists them' : `${inspect} ${drawn} of them, --json all`;
+  return [`Findings   ${drawn + planned}: ${where}`];
 }

@@ -6,7 +6,7 @@ import { checkOptions, DEFAULT_SECONDS, given } from '../options.js';
 import { bounded } from '../bound.js';
 import type { SavedPlan } from '../project.js';
 import { createPlanner, type Planner, type PlanResult } from '../node.js';
-import type { Loaded, MachineProfile, PlanOptions, Proof, ProofBudget } from '../protocol.js';
+import type { FindingCode, Loaded, MachineProfile, PlanOptions, Proof, ProofBudget } from '../protocol.js';
 import type { ProofHandle } from '../prover.js';
 import { loadOptions, number, oneOf, parameters, placingOptions, seconds, text, whole, type Words } from './arguments.js';
 import { machineFiles, machineOf } from './machine.js';
@@ -17,9 +17,13 @@ import { nameOf, Unusable, usable } from './io.js';
 import { opened } from './opened.js';
 import { progressLine } from './progress.js';
 import { complain } from './safe-text.js';
+import { asGiven, decides, ofDrawing, warn } from './warnings.js';
 
 /** Moves of a search that take about as long as a million numbers of a proof. */
 const MOVES_PER_WORK = 10_000;
+
+/** What a doubt about the unit has said already. */
+const UNITS: readonly FindingCode[] = ['units-guessed', 'units-doubtful'];
 
 /** A planned drawing. */
 export interface PlannedFile {
@@ -40,6 +44,7 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
   const [moves, workers, seed] = ['moves', 'workers', 'seed'].map((name) => whole(values, name));
   const budget = given({ seconds: seconds(values), moves, workers, seed });
   checkedAsWritten(values, () => checkOptions(budget, 'planning'));
+  const quiet = values['quiet'] === true;
   const proving = proofBudget(words, requested.outputs, budget);
   const planner = await createPlanner();
   try {
@@ -51,27 +56,26 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
       const project = await opened(file);
       const loaded = await usable(file, planner.load(project.drawing, project.name, { ...project.reading, ...load }));
       // What decides on what is cut is reported here and not only by `inspect`: misspelt layers, borders, lettering.
-      for (const { message } of loaded.findings.filter((f) => f.code === 'layer-unknown' || f.code === 'sheet-outline' || (f.code === 'lettering' && f.severity !== 'info'))) {
-        complain(`${asGiven(file)}: ${message}`);
-      }
+      for (const { message } of loaded.findings.filter(decides)) complain(`${asGiven(file)}: ${message}`);
       refuseDoubt(file, loaded, words, requested.outputs);
+      // The report counts the others, unless there is none.
+      if (quiet) warn(file, ofDrawing(loaded).filter((f) => !decides(f) && !(loaded.units.doubtful && UNITS.includes(f.code))));
       const { seconds: _, moves: __, ...decided } = project.planning;
       const chosen = { ...decided, ...budget, ...(await choices(words, planner, !isQuote, decided)) };
       const isAsSaved = Object.keys(load).length === 0 && values['machine'] === undefined && values['material'] === undefined;
       // A quote starts without the plan of the project, because others must be able to make it from the drawing alone.
       const plan = isAsSaved && !isQuote ? project.plan : null;
       const search = budgeted({ ...chosen, ...continuing(plan, budget) }, loaded, requested.defaultBudget);
-      const planned = searched(planner, search, proving, { file, place, quiet: values['quiet'] === true, outputs: requested.outputs.map(({ kind }) => kind) });
+      const planned = searched(planner, search, proving, { file, place, quiet, outputs: requested.outputs.map(({ kind }) => kind) });
       const { result, proof } = await usable(file, planned, (sentence) => leversAsWritten(values, sentence));
+      // The report of a quote sums them up in its confidence, and where the job lies changes no figure of it.
+      if (quiet || !isQuote) warn(file, isQuote ? result.findings.filter((f) => f.code !== 'off-bed') : result.findings);
       await write({ file, place, planner, loaded, result, proof, options: search }, to);
     });
   } finally {
     planner.close();
   }
 }
-
-/** A drawing as it is named on the command line, because those of several folders may have one name. */
-const asGiven = (file: string) => (file === '-' ? nameOf(file) : file);
 
 /** Writes no program while the unit is in doubt, unless somebody accepts the guess. */
 function refuseDoubt(file: string, loaded: Loaded, { values }: Words, outputs: Requested['outputs']): void {

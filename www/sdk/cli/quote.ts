@@ -31,7 +31,8 @@ export async function quote(args: string[]): Promise<void> {
       const indent = place.of > 1 && output.out === STANDARD_OUTPUT ? 0 : 2;
       return { output, data: `${JSON.stringify(quoted, null, indent)}\n` };
     }));
-    await to.report(place, () => [...lines(quoted), ...orderLines(quoted, order), ...savingLines(saved)], () => row(file, quoted));
+    const asked = () => [...orderLines(quoted, order), ...savingLines(saved)];
+    await to.report(place, () => [...lines(quoted), ...asked()], () => row(file, quoted), () => [...limitLines(quoted), ...asked()]);
   });
 }
 
@@ -94,6 +95,11 @@ function orderLines(q: Quote, { quantities, stock }: Order): string[] {
   });
 }
 
+/** What exceeds the limits of the shop. */
+function limitLines({ checks }: Quote): string[] {
+  return (checks?.exceeded ?? []).map(({ message, at }) => `Limit      ${message} At ${at.map((n) => n.toFixed(1)).join(', ')}.`);
+}
+
 /** The limits in the file that `--limits` names. */
 async function limitsOf({ values }: Words): Promise<{ limits?: Limits }> {
   const file = text(values, 'limits');
@@ -123,7 +129,6 @@ function lines(q: Quote): string[] {
   if (q.smallest_hole !== null) text.push(`Narrowest  hole ${millimetres(q.smallest_hole.width)}${against(q.smallest_hole.over_thickness)}`);
   if (q.narrowest_web !== null) text.push(`           web ${millimetres(q.narrowest_web.width)}${against(q.narrowest_web.over_thickness)}`);
   if (q.input.units_doubt !== undefined) text.push(`Units      ${unitOf({ unit: q.input.units, dpi: q.input.dpi ?? null })}, in doubt: ${q.input.units_doubt}`);
-  for (const { message, at } of q.checks?.exceeded ?? []) text.push(`Limit      ${message} At ${at.map((n) => n.toFixed(1)).join(', ')}.`);
-  text.push(`Confidence ${q.confidence.level}`, ...q.confidence.reasons.map((r) => `           ${r.message}`), `Hash       ${q.hash}`);
+  text.push(...limitLines(q), `Confidence ${q.confidence.level}`, ...q.confidence.reasons.map((r) => `           ${r.message}`), `Hash       ${q.hash}`);
   return text;
 }

@@ -1,4 +1,4 @@
-/** The report of a command for people: the details of a single file, or a table with a row for each of several files. */
+/** The report of a command for people: the details of a single file, or a table with a row for each of several files, with what an option has asked for under it. */
 
 import type { Place } from './batch.js';
 import { print } from './io.js';
@@ -27,12 +27,13 @@ export class Report {
     this.columns = [{ title: 'File', width: Math.max(4, ...files.map((f) => visible(f).length)) }, ...this.others];
   }
 
-  async add({ of }: Place, lines: () => readonly string[], cells: () => readonly string[]): Promise<void> {
+  /** `under`: lines that have no column. */
+  async add({ of }: Place, lines: () => readonly string[], cells: () => readonly string[], under: () => readonly string[] = () => []): Promise<void> {
     if (this.quiet) return;
     if (of === 1) return say(lines(), this.piped);
     if (!this.headed) await say([this.row(this.columns.map((c) => c.title))], this.piped);
     this.headed = true;
-    await say([this.row(cells())], this.piped);
+    await say([this.row(cells()), ...under().map((line) => `  ${line}`)], this.piped);
   }
 
   private row(cells: readonly string[]): string {
