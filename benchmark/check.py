@@ -67,17 +67,23 @@ def air(cost, distance):
     return distance / speed + speed / acceleration if distance >= ramp else 2 * math.sqrt(distance / acceleration)
 
 
+def travelled(cost, way):
+    """Cost of the air moves from place to place."""
+    return sum(air(cost, math.dist(*ends)) for ends in zip(way, way[1:]))
+
+
 def cutting(instance, plan):
     """The value of a plan for an instance of the tracks CCP, ECP, ICP and TIME."""
     cost, contours = instance["cost"], [Contour(c) for c in instance["contours"]]
     grid, home = Grid(contours), tuple(instance["home"])
-    here, value, pierced, when = home, 0.0, False, {}
+    # Air is measured between places on the contours: a plan may be up to NEAR beside them.
+    here, way, value, pierced, when = home, [home], 0.0, False, {}
     if not isinstance(plan, dict) or not isinstance(plan.get("moves"), list):
         raise Wrong("not-a-plan: there is no list of moves")
     for k, move in enumerate(plan["moves"]):
         kind, cut, to = read_move(move, here, k)
         if kind == "air":
-            value, pierced = value + air(cost, math.dist(here, to)), False
+            way, pierced = [*way, to], False
         elif kind == "pierce":
             value, pierced = value + cost["pierce"], True
         else:
@@ -88,6 +94,8 @@ def cutting(instance, plan):
             index, s, end = next((f for f in found if contours[f[0]].cut_before(*f[1:])[0] <= 2 * NEAR), found[0])
             if not pierced and not contours[index].is_open_at(here):
                 raise Wrong(f"no-pierce: move {k} cuts at {show(here)}, where nothing was pierced, and no cut of this contour ends")
+            value += travelled(cost, [*way[:-1], contours[index].at(s)])
+            way = [contours[index].at(end)]
             cover(contours[index], s, end, instance["track"], k)
             if contours[index].is_cut():
                 when.setdefault(index, k)
@@ -103,7 +111,7 @@ def cutting(instance, plan):
             )
     if instance["closed"] and math.dist(here, home) > NEAR:
         raise Wrong(f"no-return: the head ends at {show(here)} and not at home, {show(home)}")
-    return value
+    return value + travelled(cost, [*way[:-1], home] if instance["closed"] else way)
 
 
 def read_move(move, here, k):

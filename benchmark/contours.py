@@ -41,7 +41,7 @@ def pieces(start, path):
         if isinstance(piece, dict) and "line" in piece:
             made = Line(start, point(piece["line"]))
         elif isinstance(piece, dict) and "arc" in piece:
-            made = Arc(start, point(piece["arc"]), point(piece.get("center")), piece.get("ccw") is True)
+            made = Arc(start, point(piece["arc"]), point(piece.get("center")), piece.get("ccw") is True, len(path) == 1)
         else:
             raise Wrong(f"not-a-plan: {short(piece)} is neither a line nor an arc")
         yield made
@@ -61,14 +61,15 @@ class Line:
 
 
 class Arc:
-    def __init__(self, a, b, center, ccw):
+    def __init__(self, a, b, center, ccw, alone):
         self.center, self.end, self.radius = center, b, math.dist(center, a)
         if abs(self.radius - math.dist(center, b)) > NEAR:
             raise Wrong(f"off-contour: the ends of an arc around {show(center)} are at different distances from it")
         self.first, self.sign = self.angle(a), 1 if ccw else -1
         sweep = (self.angle(b) - self.first) * self.sign % (2 * math.pi)
-        # Ends that are the same point are a whole turn.
-        self.sweep = 2 * math.pi if math.dist(a, b) <= 1e-9 or sweep == 0 else sweep
+        # Ends that are the same point are a whole turn; in a cut of one arc also those that are as near as a plan may be.
+        same = max(math.dist(a, b), self.radius * sweep) <= 2 * NEAR if alone else False
+        self.sweep = 2 * math.pi if same or math.dist(a, b) <= 1e-9 or sweep == 0 else sweep
         self.length = self.radius * self.sweep
 
     def angle(self, p):
@@ -116,13 +117,21 @@ class Contour:
                 here = s
                 for piece in cut:
                     n = max(8, math.ceil(piece.length / STEP))
-                    if any(math.dist(piece.at(k / n), self.at(here + way * piece.length * k / n)) > 2 * NEAR for k in range(n + 1)):
+                    passed = [k / n for k in range(n + 1)] + self.corners(here, way, piece.length)
+                    if any(math.dist(piece.at(t), self.at(here + way * piece.length * t)) > 2 * NEAR for t in passed):
                         break
                     here += way * piece.length
                 else:
                     if self.closed or -NEAR <= here <= self.length + NEAR:
                         return s, here
         return None
+
+    def corners(self, s, way, length):
+        """The shares of a stretch at which the lines and arcs of this contour meet."""
+        low = s if way > 0 else s - length
+        laps = range(math.floor(low / self.length), math.floor((low + length) / self.length) + 1) if self.closed else (0,)
+        inside = [v + lap * self.length - low for lap in laps for v in self.vertices if low < v + lap * self.length < low + length]
+        return [(d if way > 0 else length - d) / length for d in inside]
 
     def is_open_at(self, p):
         """Whether what is cut of this contour ends here: no piercing is needed to go on."""

@@ -24,6 +24,10 @@ export function keep(folder) {
     const bytes = readFileSync(file);
     const { bound, by = 'unknown', ...plan } = JSON.parse((file.endsWith('.gz') ? gunzipSync(bytes) : bytes).toString());
     const best = entry.best;
+    if (value < (best?.bound ?? 0) * (1 - SAME)) {
+      console.log(`${entry.name}: ${rounded(value)} is below the proven bound ${best.bound}, so that one of them is wrong: it is not taken`);
+      continue;
+    }
     const possible = isPossible(bound, Math.min(value, best?.value ?? value));
     if (bound !== undefined && !possible) console.log(`${entry.name}: the bound ${bound} cannot be right, and is left out`);
     const known = Math.max(possible ? bound : 0, best?.bound ?? 0);

@@ -31,6 +31,9 @@ use per_axis::PerAxis;
 /// Added to the reach of the nozzle, mm, so that a way that just keeps clear does so by any formula.
 const SAFETY: f64 = 0.05;
 
+/// Longest move that is only rounding, mm: the head stays where it is, and is not lifted.
+const STAYS: f64 = 1e-6;
+
 /// The pieces that may tip, with what the head needs to get past them.
 #[derive(Debug)]
 pub struct Zones {
@@ -150,7 +153,7 @@ impl Zones {
         is_free: &impl Fn(&Piece) -> bool,
         mut visit: impl FnMut(usize) -> bool,
     ) {
-        if from == to {
+        if from.distance(to) <= STAYS {
             return;
         }
         let corner = self.per_axis.map(|axes| axes.corner(from, to, &self.down));
@@ -233,6 +236,15 @@ mod tests {
         let zones = Zones::new(&machine, vec![square(0.0, 0.0, 20.0)]).unwrap();
         let leg = zones.leg(p(-50.0, 10.0), p(70.0, 10.0), |_| true);
         assert_eq!((leg.way, leg.seconds), (LegWay::Crosses, 1.2));
+    }
+
+    #[test]
+    fn the_head_is_not_lifted_over_the_rounding_of_a_place() {
+        let machine = Profile { travel: Travel::PerAxis, ..machine(1.0) };
+        for at in [[-10.0, -10.0], [0.0, 0.0], [-20.0, 0.0], [0.0, -10.0]] {
+            let zones = Zones::new(&machine, vec![square(at[0], at[1], 20.0)]).unwrap();
+            assert_eq!(zones.leg(p(7.9e-31, 2.84e-14), p(0.0, 0.0), |_| true).way, LegWay::Straight);
+        }
     }
 
     #[test]

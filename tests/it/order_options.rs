@@ -1,7 +1,9 @@
 //! Part by part, and contours pinned to the beginning or the end: kept by the search, found by the checker.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use kerfway::job::{Job, JobError, LayerChoice, LoadOptions, PlanOptions};
+use crate::testkit::outlines::drawing;
+use crate::testkit::plates::rectangle;
+use kerfway::job::{Job, JobError, LayerChoice, LoadOptions, MachineChoice, PlanOptions};
 use kerfway::plan::{self, Move, Plan};
 use kerfway::sheet::Operation;
 
@@ -211,4 +213,27 @@ fn sequences_that_are_not_possible_are_refused_in_a_sentence() {
     assert!(told(vec![vec![hole.1, hole.0]]).contains("would have to be cut before itself"));
     assert!(told(vec![vec![3, 4], vec![4, 5]]).contains("names contour 4 twice"));
     assert!(told(vec![vec![3, 4000]]).starts_with("Contour 4000 is listed"));
+}
+
+/// A hole that is cut together with another part: the tour without nesting was repaired by cutting the outline of the hole's part right
+/// after it, between the two.
+#[test]
+fn a_hole_stays_together_with_a_foreign_part() {
+    let part = |x: f64, y: f64, hole: bool| {
+        let outline = rectangle([x, y, 30.0, 20.0]);
+        if hole { vec![outline, rectangle([x + 10.0, y + 6.0, 8.0, 8.0])] } else { vec![outline] }
+    };
+    let parts =
+        [part(5.0, 60.0, false), part(60.0, 8.0, true), part(8.0, 20.0, true), part(70.0, 55.0, false)];
+    let drawing = drawing(&parts.concat());
+    let load = LoadOptions { together: vec![vec![0, 2]], ..LoadOptions::default() };
+    for seed in 1..=12 {
+        let mut job = Job::load(drawing.clone(), "parts.dxf", &load).unwrap();
+        let machine = MachineChoice::Preset("length".into());
+        job.start(&PlanOptions { machine, seed, ..PlanOptions::default() }).unwrap();
+        job.run_mut().unwrap().step(5_000);
+        let order = order(&job.plan().unwrap());
+        let at = |c: u32| order.iter().position(|o| *o == c).unwrap();
+        assert_eq!(at(0).abs_diff(at(2)), 1, "seed {seed}: {order:?}");
+    }
 }

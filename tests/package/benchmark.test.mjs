@@ -155,6 +155,31 @@ describe('the reference checker', NEEDS_PYTHON, () => {
     assert.match(checked(t, '31pr152', { tour: plan.tour.slice(1) }).text, /^WRONG {2}not-visited: /);
   });
 
+  it('measures air between places on contours, so that a plan gains nothing by standing a hair beside them', (t) => {
+    const slot = { start: [5, 0], closed: false, inside: null, path: [{ line: [10, 0] }] };
+    const instance = { ...TOUCHING, track: 'ECP', contours: [slot] };
+    const plan = (begin, end) => ({ moves: [{ kind: 'air', to: [begin, 0] }, pierce, along([end, 0])] });
+    assert.equal(Number(checked(t, instance, plan(5, 10)).text), 10);
+    assert.equal(Number(checked(t, instance, plan(4.9995, 10.0005)).text), 10);
+  });
+
+  it('rejects a cut that leaves out a tooth which is shorter than the distance of its samples', (t) => {
+    const slot = { start: [0, 0], closed: false, inside: null, path: [[5.05, 0], [5.25, 0.02], [5.45, 0], [10, 0]].map((line) => ({ line })) };
+    const instance = { ...TOUCHING, track: 'ECP', contours: [slot] };
+    assert.match(checked(t, instance, { moves: [pierce, along([10, 0])] }).text, /^WRONG {2}off-contour/);
+    assert.equal(checked(t, instance, { moves: [pierce, along([5.05, 0], [5.25, 0.02], [5.45, 0], [10, 0])] }).status, 0);
+  });
+
+  it('accepts a circle that ends a hair beyond its start', (t) => {
+    const ring = { start: [10, 0], closed: true, inside: null, path: [{ arc: [10, 0], center: [20, 0], ccw: true }] };
+    const instance = { ...TOUCHING, track: 'ECP', contours: [ring] };
+    for (const angle of [-1e-8, 0, 1e-8]) {
+      const end = [20 - 10 * Math.cos(angle), -10 * Math.sin(angle)];
+      const plan = { moves: [{ kind: 'air', to: [10, 0] }, pierce, { kind: 'cut', path: [{ arc: end, center: [20, 0], ccw: true }] }] };
+      assert.equal(Number(checked(t, instance, plan).text).toFixed(6), '15.000000');
+    }
+  });
+
   it('accepts a path that another program found: sides of hull parts by HiGHS', (t) => {
     const { plan, value } = best('hull-5-20-1-ecp');
     assert.ok(Math.abs(Number(checked(t, 'hull-5-20-1-ecp', plan).text) - value) < 1e-5);

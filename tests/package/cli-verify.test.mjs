@@ -36,6 +36,21 @@ it('a certificate is verified in one sentence, and its bound is that of the plan
   assert.match(shown, /^Optimum {4}at least /m);
 });
 
+it('says which settings a certificate brings with it, and that its machine only calls itself like a preset', async (t) => {
+  const at = workshop(t);
+  await certified(at, 'other.json', '--units', 'in', '--place', 'lower-left@5,5', '--layer', '0=cut,passes=3');
+  const { stdout } = await kerfway('verify', at('other.json'), '--json', at('verified.json'));
+  const holds = /^This holds with (\{.*\}): with other settings a plan may take less\.$/m.exec(stdout);
+  const settings = { layers: [{ name: '0', operation: 'cut', passes: 3 }], units: 'in', place: { at: [5, 5], point: 'lower-left' } };
+  assert.deepEqual(JSON.parse(holds?.[1] ?? '{}'), settings, stdout);
+  const machine = { ...JSON.parse(readFileSync(at('other.json'), 'utf8')).machine, pierce_time: 9 };
+  writeFileSync(at('slow.json'), JSON.stringify(machine));
+  await certified(at, 'slow.certificate.json', '--machine', at('slow.json'));
+  const known = async (...more) => /^Proven: no plan of plate\.dxf on (.*) takes/.exec((await kerfway('verify', at('slow.certificate.json'), ...more)).stdout)?.[1];
+  assert.equal(await known(), 'a machine that calls itself co2-100w, not the preset,');
+  assert.equal(await known('--machine', at('slow.json')), 'co2-100w');
+});
+
 it('the same seed and work give the same certificate, which fits its schema', async (t) => {
   const at = workshop(t);
   await certified(at);

@@ -3,9 +3,11 @@
 use super::file::File;
 use super::problem;
 use crate::drawing::TextDecoder;
-use crate::machine::Profile;
+use crate::job::LoadOptions;
+use crate::machine::{Profile, preset};
 use crate::output::{json_text, sha256};
 use serde::Serialize;
+use serde_json::to_value;
 
 /// What a certificate file proves.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -19,6 +21,10 @@ pub struct Verified {
     pub drawing: String,
     /// Name of the machine.
     pub machine: String,
+    /// Whether that is the preset of this name, or the machine that was asked for: others may call themselves as they like.
+    pub known_machine: bool,
+    /// What it was planned with other than the defaults: options of reading, material, place and start, as a JSON object.
+    pub settings: String,
 }
 
 /// Verifies a certificate file for a drawing. `machine`: the machine that it should be for; `None`: that of the file. `decoder`:
@@ -54,8 +60,8 @@ pub fn verify(
             file.drawing.name, file.drawing.sha256
         ));
     }
-    let settings = (file.material.clone(), file.place, file.start);
-    let problem = problem(drawing, &file.drawing.name, &file.reading, &file.machine, settings)
+    let given = (file.material.clone(), file.place, file.start);
+    let problem = problem(drawing, &file.drawing.name, &file.reading, &file.machine, given)
         .map_err(|e| format!("The certificate's drawing cannot be planned as it says: {e}"))?;
     let proven = file.travel.certified().adds_up_to(&problem).map_err(|e| e.to_string())?;
     let seconds = file.travel.whole_job(proven, &problem);
@@ -67,6 +73,29 @@ pub fn verify(
             file.seconds.max(file.travel.whole_job(stated, &problem))
         ));
     }
-    let paid = problem.paid();
-    Ok(Verified { seconds: file.seconds, paid, drawing: file.drawing.name, machine: file.machine.name })
+    let is_preset = preset(&file.machine.name).is_some_and(|p| sha256(json_text(&p)) == file.machine_sha256);
+    Ok(Verified {
+        seconds: file.seconds,
+        paid: problem.paid(),
+        known_machine: machine.is_some() || is_preset,
+        settings: other_than_usual(&file),
+        drawing: file.drawing.name,
+        machine: file.machine.name,
+    })
+}
+
+/// What differs from the defaults in a certificate file, as a JSON object.
+fn other_than_usual(file: &File) -> String {
+    let reading = |options: &LoadOptions| to_value(options).ok().and_then(|v| v.as_object().cloned());
+    let usual = reading(&LoadOptions::default()).unwrap_or_default();
+    let mut all = reading(&file.reading).unwrap_or_default();
+    all.retain(|name, value| usual.get(name) != Some(value));
+    let others = [
+        ("material", to_value(&file.material)),
+        ("place", to_value(file.place)),
+        ("start", to_value(Some(file.start).filter(|start| !start.is_absolute()))),
+    ];
+    let given = others.into_iter().filter_map(|(name, value)| Some((name.to_owned(), value.ok()?)));
+    all.extend(given.filter(|(_, value)| !value.is_null()));
+    json_text(&all)
 }

@@ -8,9 +8,15 @@ impl Tour<'_> {
         let rank = |p: usize| self.space.rank[self.item(p) as usize];
         let ranks = (2..=self.last()).all(|p| rank(p - 1) <= rank(p));
         let late = |i: u32| self.space.precedence.waits(i, |o| self.position(o) < self.position(i));
-        let items = self.current().order[1..].iter().copied();
-        let together = self.space.problem.groups.are_together(items, |i| self.space.rank[i as usize]);
-        ranks && together && (self.ignores_nesting || !self.current().order.iter().any(|&i| late(i)))
+        ranks
+            && self.keeps_all_groups()
+            && (self.ignores_nesting || !self.current().order.iter().any(|&i| late(i)))
+    }
+
+    /// Whether all groups are together.
+    pub(super) fn keeps_all_groups(&self) -> bool {
+        let (groups, items) = (&self.space.problem.groups, self.current().order[1..].iter().copied());
+        groups.is_empty() || groups.are_together(items, |i| self.space.rank[i as usize])
     }
 
     /// Whether a stretch may be reversed: nothing in it waits for anything else in it.

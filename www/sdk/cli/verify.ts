@@ -29,7 +29,7 @@ export async function verify(args: string[]): Promise<void> {
     throw new Unusable(`${file} proves nothing: ${(error as Error).message}`);
   }
   await destinations.write(file, outputs.map((output) => ({ output, data: `${JSON.stringify(verified)}\n` })));
-  if (given.values['quiet'] !== true) await say([sentence(verified)], destinations.piped);
+  if (given.values['quiet'] !== true) await say(lines(verified), destinations.piped);
 }
 
 /** The machine that `--machine` names, if it names one, and the files that it is read from. */
@@ -61,9 +61,12 @@ async function orGiven(read: Promise<Uint8Array>): Promise<Uint8Array> {
   }
 }
 
-function sentence({ seconds, paid, drawing, machine }: Verified): string {
+/** What is proven, and under which conditions that a certificate brings with it. */
+function lines({ seconds, paid, drawing, machine, known_machine, settings }: Verified): string[] {
   const travel = Math.max(seconds - paid, 0);
-  return `Proven: no plan of ${drawing} on ${machine} takes less than ${down(seconds)} s, because each pays ${down(paid)} s for piercing and cutting, and travels for at least ${down(travel)} s.`;
+  const on = known_machine ? machine : `a machine that calls itself ${machine}, not the preset,`;
+  const proven = `Proven: no plan of ${drawing} on ${on} takes less than ${down(seconds)} s, because each pays ${down(paid)} s for piercing and cutting, and travels for at least ${down(travel)} s.`;
+  return settings === '{}' ? [proven] : [proven, `This holds with ${settings}: with other settings a plan may take less.`];
 }
 
 /** Seconds with three decimals, rounded down, because more is not proven. */

@@ -62,13 +62,17 @@ impl Annealing<'_> {
         }
         if self.tour.ignores_nesting {
             self.tour.ignores_nesting = false;
-            let [ahead, back] = repaired(&self.tour.space, &self.part_best.snapshot);
-            self.tour.restore(ahead.clone());
-            let cost = self.tour.cost();
-            self.tour.restore(back);
-            if cost <= self.tour.cost() {
-                self.tour.restore(ahead);
+            let mut least = f64::INFINITY;
+            // A repair may tear apart what a person keeps together. Then the best tour goes on.
+            let mut goes_on = self.best.1.clone();
+            for tour in repaired(&self.tour.space, &self.part_best.snapshot) {
+                self.tour.restore(tour.clone());
+                let cost = self.tour.cost();
+                if cost < least && self.tour.keeps_all_groups() {
+                    (least, goes_on) = (cost, tour);
+                }
             }
+            self.tour.restore(goes_on);
             self.start_part();
             self.settle();
             return;
