@@ -24,7 +24,7 @@ const TARGET = 'wasm32-unknown-unknown';
  * kB. The core: planner, pierce groups, kerf, lower bound and quote, by gzip. A first visit to the page, everything it fetches, by Brotli:
  * every browser takes it, and the build writes the compressed files for any server to send.
  */
-export const BUDGETS = { core: 696, page: 700 };
+export const BUDGETS = { core: 698, page: 700 };
 
 /**
  * Functions are inlined up to this size instead of five times it, and loops are not unrolled. At 90 the planner is 18 kB gzip larger and

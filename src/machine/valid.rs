@@ -213,7 +213,7 @@ const SETTINGS: &[Field] = &[
 /// The settings of a layer, as callers write them.
 pub const LAYER_SETTINGS: &[Field] = &[
     Field::required("name", Kind::Text),
-    Field::required("operation", Kind::Choice(&["cut", "mark", "ignore"])),
+    Field::nullable("operation", Kind::Choice(&["cut", "mark", "ignore"])),
     Field::nullable("speed", Kind::Number(SPEED)),
     Field::nullable("power", Kind::Number(POWER)),
     Field::nullable("minPower", Kind::Number(POWER)),

@@ -2900,8 +2900,8 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
                   ]
                 },
                 "name": "operation",
-                "nullable": false,
-                "required": true
+                "nullable": true,
+                "required": false
               },
               {
                 "kind": {

@@ -557,7 +557,7 @@ export type PierceBy = "dwell-m3" | "dwell-m68" | "dwell-standard" | "creep" | "
 
 /** How the material is pierced. */
 export interface Pierce {
-  /** In which way. */
+  /** The method. */
   by: PierceBy,
   /** With `creep`: the length that is cut slowly, mm. */
   length?: number | null,
@@ -718,8 +718,8 @@ export interface ErrorReport {
 export interface LayerChoice {
   /** Name of the layer. */
   name: string,
-  /** Cut, mark or ignore. */
-  operation: Operation,
+  /** Cut, mark or ignore; without a choice, as for other layers, and what the layer's name suggests stays a question. */
+  operation?: Operation | null,
   /** Speed along its contours, mm/s. */
   speed?: number | null,
   /** Power as a fraction of full power, 0 to 1. */
@@ -1083,6 +1083,10 @@ export interface Verified {
   drawing: string,
   /** Name of the machine. */
   machine: string,
+  /** Whether that is the preset of this name, or the machine that was asked for: others may call themselves as they like. */
+  known_machine: boolean,
+  /** What it was planned with other than the defaults: options of reading, material, place and start, as a JSON object. */
+  settings: string,
 }
 
 /** A method, for lists and citations. */
