@@ -35,8 +35,9 @@ export function preflight(session: Session, refuse: (why: string) => void): HTML
   const facts = h('p', { class: 'soft' });
   const problems = h('ul', { class: 'problems' });
   const root = h('section', { class: 'preflight', 'aria-label': words.preflight.title }, verdict, facts, problems);
-  const jobs = new Latest();
-  const plans = new Latest();
+  const latest = new Latest();
+  /** Another one for each job. */
+  let job = {};
   /** What the check says of the plan, or of the one before of the same job. */
   let report: ProgramCheck | undefined;
   /** The check that runs. */
@@ -59,26 +60,25 @@ export function preflight(session: Session, refuse: (why: string) => void): HTML
     refuse(fails ? reason : '');
   };
   const make = async () => {
-    const isLatest = plans.begin();
+    const isLatest = latest.begin();
     // A plan that becomes better after its search is planned for no time at all. Until its program is checked, the one before has the say.
     await null;
     if (!isLatest()) return;
     if (phase !== 'done') {
-      jobs.begin();
-      report = undefined;
+      [job, report] = [{}, undefined];
       return show('nothing');
     }
     if (isRefusedOffBed(session.state, 'gcode')) return show('off-bed');
     if (!report) show({ unchecked: words.preflight.soon });
-    const isJob = jobs.watch();
+    const checked = job;
     // One after the other: a prover finds better plans faster than their programs are checked.
     await running;
     if (!isLatest()) return;
     running = session.preflight().then(
-      (made) => isJob() && show({ report: (report = made) }),
+      (made) => checked === job && show({ report: (report = made) }),
       (error: unknown) => {
         // While a choice is being applied, nothing is wrong with the program: there is none.
-        if (!isJob() || session.state.applying) return;
+        if (checked !== job || session.state.applying) return;
         const isLost = isKerfwayError(error) && error.code === 'not-started';
         show(isLost ? { unchecked: messageOf(error) } : { refused: messageOf(error) });
       },

@@ -6,7 +6,7 @@
 import { button, h } from '../core/dom.js';
 import { save } from '../core/files.js';
 import { area, count, fixed, metres, three, upTo, width } from '../core/format.js';
-import { lengthUnit, shownIn, typed } from '../core/lengths.js';
+import { lengthUnit, typed } from '../core/lengths.js';
 import { doubtOf, downloadName, messageOf } from '../core/strings.js';
 import type { Material, Quote } from 'kerfway';
 import type { Session } from '../session/session.js';
@@ -58,8 +58,8 @@ export function quoteContent(session: Session, { root, setGist }: Section, notif
   return h('div', { class: 'stack' }, field(words.quote.thickness, thickness, 'mm'), field(words.quote.density, density, 'g/cm³'), note, rows, download);
 }
 
-/** A web is measured to some hundredths of a millimetre. */
-const hundredths = (mm: number) => `${upTo(mm / shownIn('mm').factor, lengthUnit === 'mm' ? 2 : 3)} ${lengthUnit}`;
+/** A web is not measured more exactly than to some hundredths of a millimetre. */
+const hundredths = (mm: number) => (mm < 1 && lengthUnit === 'mm' ? `${upTo(mm, 2)} mm` : width(mm));
 
 function material(thickness: HTMLInputElement, density: HTMLInputElement): Material {
   const given = (input: HTMLInputElement, unit: string) => (typed(input, unit) > 0 ? typed(input, unit) : undefined);
