@@ -34,6 +34,11 @@ test('a quote shows the width of holes as they were drawn', async (t) => {
   assert.match(await sectionText(page, 'Quote', 'Narrowest hole'), /Narrowest hole24 mm · 1\.6 × thickness/);
 });
 
+test('a narrow web had three decimals, although it is not measured so exactly', async (t) => {
+  const page = await openPlanned(t, 'co2-100w', 'web.dxf', dxf(square(0, 0, 100), square(10, 10, 20), square(30.1234, 10, 20)));
+  assert.match(await sectionText(page, 'Quote', 'Narrowest web'), /Narrowest web0\.12 mm/);
+});
+
 test('the check of the program counts outlines, which may be fewer than the parts', async (t) => {
   const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'planning', 'done');
