@@ -109,7 +109,7 @@ for (const [name, size] of Object.entries(SIZES)) {
     await sheet();
 
     await dropAll(page, [['one.dxf', grid(30)], ['broken.dxf', Buffer.from('AC1032\0\0')], ['a-plate-with-a-long-name.dxf', sample('no-units.dxf')], ['four.dxf', grid(12)]]);
-    await page.waitForFunction(() => document.querySelector('.queue').textContent === '4 of 4');
+    await page.waitForFunction(() => document.querySelector('.queue').textContent === '2 of 4');
     await page.locator('.queue').click();
     await keep('queue');
     await clean('queue');
