@@ -90,14 +90,14 @@ test('a value that the machine cannot have was ignored, or replaced without a wo
   for (const [name, usual, typed, sentence] of [
     ['Cutting speed', '35', '-5', 'Enter a value from 0.01 to 100000 mm/s.'], ['Cutting speed', '35', '0', 'Enter a value from 0.01 to 100000 mm/s.'], ['Kerf width', '0', '50', 'Enter a value from 0 to 10 mm.'],
   ]) {
-    const field = machine.getByLabel(name, { exact: true });
+    const field = machine.getByLabel(new RegExp(`^${name}`));
     assert.equal(await field.inputValue(), usual);
     await field.fill(typed);
     assert.deepEqual([await said(), await field.getAttribute('aria-invalid')], [[sentence], 'true']);
     await field.press('Tab');
     assert.deepEqual([await said(), await field.getAttribute('aria-invalid'), await field.inputValue()], [[], 'false', usual], 'the value that counts is back');
   }
-  const kerf = machine.getByLabel('Kerf width', { exact: true });
+  const kerf = machine.getByLabel(/^Kerf width/);
   await kerf.fill('50');
   await replanned(page, () => kerf.fill('0.2'));
   assert.deepEqual(await said(), []);
