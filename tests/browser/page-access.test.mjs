@@ -2,8 +2,9 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { sample } from './page-drawings.mjs';
 import { changedFrom, inBothThemes, serious, shot, still } from './page-pictures.mjs';
-import { nextFrames, openEverything, openPage, phase, SIZES, tap, until } from './page-support.mjs';
+import { drop, nextFrames, openEverything, openPage, phase, planned, replanned, SIZES, tap, until } from './page-support.mjs';
 
 test('everything can be done by keyboard', async (t) => {
   const { page } = await openPage(t);
@@ -239,6 +240,37 @@ test('Escape leaves a field, so that the next key is a shortcut', async (t) => {
   await page.keyboard.press('t');
   await page.getByRole('table', { name: 'Cutting order' }).waitFor();
   assert.equal(await seed.inputValue(), '7');
+});
+
+test('the focus fell to the page where the control that had it disappeared', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
+  await phase(page, 'done');
+  const left = (what) => page.waitForFunction(() => document.activeElement.id === 'canvas', null).catch(() => assert.fail(what));
+  await page.getByRole('button', { name: 'Keep this machine' }).press('Enter');
+  await left('the machine is kept');
+  await page.keyboard.press('ArrowRight');
+  await page.locator('.contour').getByRole('button', { name: 'Close' }).press('Enter');
+  await left('the card is closed');
+  await page.keyboard.press('ArrowRight');
+  await replanned(page, () => page.keyboard.press('1'));
+  await page.locator('details.section').first().evaluate((d) => (d.open = true));
+  await replanned(page, () => page.locator('.pins').getByRole('button', { name: 'Unpin' }).press('Enter'));
+  await left('the last contour is unpinned');
+  await drop(page, 'no-units.dxf', sample('no-units.dxf'));
+  await planned(page, 'no-units.dxf', 'question');
+  await page.locator('.question .choices button').last().press('Enter');
+  await left('the units are chosen');
+  // As metres it is larger than the bed; as inches it lies beside it once it is placed there.
+  await page.getByRole('button', { name: 'Undo' }).first().press('Enter');
+  await phase(page, 'question');
+  await page.locator('.question .choices button').nth(1).press('Enter');
+  await phase(page, 'done');
+  const bed = page.locator('details.section', { has: page.getByRole('heading', { name: 'On the bed' }) });
+  await bed.evaluate((d) => (d.open = true));
+  await replanned(page, () => bed.getByLabel('Position').selectOption({ index: 1 }));
+  await replanned(page, () => bed.getByLabel(/^x/).fill('-500'));
+  await replanned(page, () => bed.getByRole('button', { name: 'Move to the corner' }).press('Enter'));
+  await left('the job is on the bed');
 });
 
 test('the focus stays in the foot where the button that is pressed by keyboard goes', async (t) => {

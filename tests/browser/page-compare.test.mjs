@@ -73,6 +73,30 @@ test('side by side, the times of the drawing before and of an older plan were sh
   assert.equal(await page.locator('.first-label').textContent(), `Now · ${await now()}`);
 });
 
+test('the table of the cutting order and two sheets side by side end each other; together they left the stage blank', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
+  await phase(page, 'done');
+  const split = page.getByRole('button', { name: 'Show side by side with the plan' });
+  const table = page.getByRole('table', { name: 'Cutting order' });
+  // Nothing of the sheet may lie behind the table: the widths of the stage that are free, and the pressed buttons.
+  const pressed = () => page.evaluate(() => ['.split-toggle', '.tools [title="Cutting order"]'].map((name) => document.querySelector(name).getAttribute('aria-pressed')));
+  await page.keyboard.press('t');
+  await table.waitFor();
+  await split.click();
+  await page.locator('.second').waitFor();
+  assert.equal(await table.isVisible(), false);
+  assert.deepEqual(await pressed(), ['true', 'false']);
+  assert.equal(await split.evaluate((e) => e === document.activeElement), true, 'the focus stays on the button');
+  const beside = await still(page);
+  await page.keyboard.press('t');
+  await table.waitFor();
+  await page.locator('.second').waitFor({ state: 'hidden' });
+  assert.deepEqual(await pressed(), ['false', 'true']);
+  await changedFrom(page, beside);
+  await page.getByRole('button', { name: 'Close the table' }).click();
+  assert.equal(await page.evaluate(() => document.activeElement.title), 'Cutting order');
+});
+
 test('what each kind of decision saves is worked out by leaving it out', async (t) => {
   const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'done');

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { dxf, square } from '../package/support.mjs';
 import { grid, sample } from './page-drawings.mjs';
 import { shot, still } from './page-pictures.mjs';
-import { drop, machineSection, nextFrames, openPage, openPlanned, phase, planned, replanned, SIZES } from './page-support.mjs';
+import { drop, machineSection, nextFrames, openPage, openPlanned, phase, plan, planned, replanned, SIZES } from './page-support.mjs';
 
 /** A DXF of a rectangle, mm. */
 function rectangle(x, y, width, height) {
@@ -34,6 +34,11 @@ test('a quote shows the width of holes as they were drawn', async (t) => {
   assert.match(await sectionText(page, 'Quote', 'Narrowest hole'), /Narrowest hole24 mm · 1\.6 × thickness/);
 });
 
+test('a narrow web had three decimals, although it is not measured so exactly', async (t) => {
+  const page = await openPlanned(t, 'co2-100w', 'web.dxf', dxf(square(0, 0, 100), square(10, 10, 20), square(30.1234, 10, 20)));
+  assert.match(await sectionText(page, 'Quote', 'Narrowest web'), /Narrowest web0\.12 mm/);
+});
+
 test('the check of the program counts outlines, which may be fewer than the parts', async (t) => {
   const { page } = await openPage(t, { hash: 'seconds=0.4' });
   await phase(page, 'planning', 'done');
@@ -45,6 +50,21 @@ test('the check of the program counts outlines, which may be fewer than the part
   await check.getByText('closed outlines').waitFor();
   assert.match(await check.textContent(), /5 closed outlines\s· 9 contours, each cut once/);
   assert.doesNotMatch(await check.textContent(), /parts/);
+});
+
+test('the check of the program counted the cuts between micro-joints as contours, and closed outlines that have joints', async (t) => {
+  const page = await openPlanned(t, 'fibre-3kw-thin', 'grid.dxf', grid(9));
+  const check = page.locator('.preflight');
+  await check.getByText('9 contours, each cut once').waitFor();
+  const machine = await machineSection(page, SIZES.desktop);
+  const joints = machine.locator('details.more', { hasText: 'Micro-joints' });
+  await joints.evaluate((d) => (d.open = true));
+  await replanned(page, () => joints.getByRole('checkbox').first().check());
+  await check.getByText('read back').waitFor();
+  const { summary } = await plan(page);
+  assert.ok(summary.joints > 0);
+  assert.match(await check.textContent(), /check\d+ cuts\s· beam/);
+  assert.doesNotMatch(await check.textContent(), /contours|outlines/);
 });
 
 test('the width of the sheet interrupts the edge of the bed', async (t) => {

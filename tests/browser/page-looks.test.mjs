@@ -109,7 +109,7 @@ for (const [name, size] of Object.entries(SIZES)) {
     await sheet();
 
     await dropAll(page, [['one.dxf', grid(30)], ['broken.dxf', Buffer.from('AC1032\0\0')], ['a-plate-with-a-long-name.dxf', sample('no-units.dxf')], ['four.dxf', grid(12)]]);
-    await page.waitForFunction(() => document.querySelector('.queue').textContent === '4 of 4');
+    await page.waitForFunction(() => document.querySelector('.queue').textContent === '2 of 4');
     await page.locator('.queue').click();
     await keep('queue');
     await clean('queue');
@@ -132,6 +132,7 @@ test('on paper there is the sheet in its own shape and what the sections say, wi
   assert.deepEqual(shown, []);
   assert.equal(await page.locator('.file-name').isVisible(), true);
   assert.match(await page.locator('.sections').innerText(), /As drawn[\s\S]*Nearest first[\s\S]*Now/);
+  assert.doesNotMatch(await page.locator('.sections').innerText(), /Kept in this browser/);
   const [fit, scheme, high] = await page.evaluate(() => [getComputedStyle(document.querySelector('#canvas')).objectFit, getComputedStyle(document.documentElement).colorScheme, document.querySelector('.panel').getBoundingClientRect().bottom]);
   assert.deepEqual([fit, scheme], ['contain', 'light']);
   assert.ok(high <= 1047, String(high));
@@ -148,6 +149,19 @@ const lightShare = async (png) => {
   for (let i = 0; i < data.length; i += 4) if (Math.min(data[i], data[i + 1], data[i + 2]) > 200) light += 1;
   return light / (data.length / 4);
 };
+
+test('the sheet was one black area where the system forces its colours', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
+  await page.emulateMedia({ forcedColors: 'active', colorScheme: 'light' });
+  await page.reload();
+  await phase(page, 'done');
+  await still(page);
+  const share = await page.evaluate(lightShare, (await page.locator('#canvas').screenshot()).toString('base64'));
+  assert.ok(share > 0.8, String(share));
+  const colors = await page.evaluate(() => ['.bar .cut', '.bar .air', '.toolbar [aria-pressed=true]', '.toolbar [aria-pressed=false]'].map((name) => getComputedStyle(document.querySelector(name)).backgroundColor));
+  assert.equal(new Set(colors).size, 4, `bars and pressed buttons are told apart: ${colors}`);
+  await shot(page, 'look-forced-colors');
+});
 
 for (const theme of ['dark', 'light']) {
   test(`the ${theme} theme prints a light sheet and a light chart`, async (t) => {

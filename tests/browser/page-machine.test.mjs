@@ -3,8 +3,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { dxf, square } from '../package/support.mjs';
+import { grid } from './page-drawings.mjs';
 import { shot, still } from './page-pictures.mjs';
-import { openPage, openPlanned, output, phase, plan, replanned, SIZES, until } from './page-support.mjs';
+import { machineSection, openPage, openPlanned, output, phase, plan, replanned, SIZES, until } from './page-support.mjs';
 
 const DRAWING = dxf(square(-20, 10, 50));
 
@@ -79,6 +80,28 @@ test('a layer has settings, a material is saved and chosen, and a stopwatch fits
   await shot(page, 'calibration');
   await replanned(page, () => page.getByRole('button', { name: 'Use the fitted values' }).click());
   assert.ok(Math.abs((await plan(page)).summary.total_time / 200 - 1) < 0.01);
+});
+
+test('a value that the machine cannot have was ignored, or replaced without a word', async (t) => {
+  const page = await openPlanned(t, 'co2-100w', 'grid.dxf', grid(9));
+  const machine = await machineSection(page, SIZES.desktop);
+  await machine.getByText('Advanced settings').click();
+  const said = () => machine.locator('.reason.error').allTextContents();
+  for (const [name, usual, typed, sentence] of [
+    ['Cutting speed', '35', '-5', 'Enter a value from 0.01 to 100000 mm/s.'], ['Cutting speed', '35', '0', 'Enter a value from 0.01 to 100000 mm/s.'], ['Kerf width', '0', '50', 'Enter a value from 0 to 10 mm.'],
+  ]) {
+    const field = machine.getByLabel(new RegExp(`^${name}`));
+    assert.equal(await field.inputValue(), usual);
+    await field.fill(typed);
+    assert.deepEqual([await said(), await field.getAttribute('aria-invalid')], [[sentence], 'true']);
+    await field.press('Tab');
+    assert.deepEqual([await said(), await field.getAttribute('aria-invalid'), await field.inputValue()], [[], 'false', usual], 'the value that counts is back');
+  }
+  const kerf = machine.getByLabel(/^Kerf width/);
+  await kerf.fill('50');
+  await replanned(page, () => kerf.fill('0.2'));
+  assert.deepEqual(await said(), []);
+  assert.equal((await plan(page)).machine.kerf_width, 0.2);
 });
 
 test('the first visit asks for the machine, and the answer stays', async (t) => {

@@ -50,6 +50,28 @@ for (const [width, height] of LOW) {
   });
 }
 
+for (const width of [320, 360]) {
+  for (const locale of ['en', 'de', 'es']) {
+    test(`at ${width} pixels the times of the result are not cut off, and a guessed unit does not look like a stated one (${locale})`, async (t) => {
+      const prepare = `localStorage.setItem('kerfway.language', '${locale}')`;
+      const { page } = await openPage(t, { size: { width, height: 640 }, hash: 'seconds=0.4', prepare });
+      await phase(page, 'done');
+      const signed = () => page.locator('.units .source').evaluate((e) => e.checkVisibility() && getComputedStyle(e, '::after').content);
+      assert.equal(await signed(), false);
+      await page.locator('.sheet-toggle').click();
+      const [table, room] = await page.evaluate(() => ['.compare', '.section-body > .stack:has(> .compare)'].map((name) => document.querySelector(name).getBoundingClientRect().right));
+      assert.ok(table <= room + 0.5, `${table} of ${room}`);
+      assert.equal(await page.locator('.compare .solid td.number:visible').count(), 2);
+      await drop(page, 'no-units.dxf', sample('no-units.dxf'));
+      await planned(page, 'no-units.dxf', 'question');
+      assert.equal(await signed(), '"?"');
+      assert.deepEqual(await page.evaluate(misplaced), []);
+      const [mark, next] = await page.evaluate(() => ['.units', '.tools button'].map((name) => document.querySelector(name).getBoundingClientRect()));
+      assert.ok(mark.right <= next.left + 0.5);
+    });
+  }
+}
+
 test('the card of a contour leaves more than half of the sheet free in a low window', async (t) => {
   const { page } = await openPage(t, { size: { width: 720, height: 450 }, hash: 'seconds=0.4' });
   await phase(page, 'done');

@@ -72,7 +72,7 @@ test('in a list of files, the same words say that a file has no program', async 
   const { page } = await openPage(t, { size: SIZES.phone, hash: 'seconds=0.4&machine=co2-100w' });
   await phase(page, 'planning', 'done');
   await dropAll(page, [['off.dxf', LEFT_OF_BED], ['on.dxf', grid(4)]]);
-  await page.waitForFunction(() => document.querySelector('.queue').textContent === '2 of 2');
+  await page.waitForFunction(() => document.querySelector('.queue').textContent === '1 of 2');
   await page.locator('.queue').click();
   assert.match(await page.getByRole('button', { name: /^off\.dxf/ }).textContent(), new RegExp(`${REFUSED}$`));
 });

@@ -40,11 +40,18 @@ describe('a proof after the search', { concurrency: true }, () => {
 
   it('makes a better path that it finds the plan, and its program is checked again', async (t) => {
     const { page, program, first } = await plannedAtOnce(t, 'seconds=0.001', 24);
+    await page.locator('.preflight').getByText('The program passes its check').waitFor();
     const before = await facts(page);
+    await page.evaluate(() => {
+      window.lost = 0;
+      const check = document.querySelector('.preflight');
+      new MutationObserver(() => (window.lost += Number(check.hidden || check.matches('.unchecked')))).observe(check, { attributes: true, childList: true, subtree: true });
+    });
     await page.waitForFunction(() => document.querySelector('.dock-head').textContent === 'Optimal: no better path exists.');
     assert.notEqual(await program(), first);
     await page.waitForFunction((old) => document.querySelector('.preflight').textContent !== old, before);
     assert.match(await facts(page), /24 contours/);
+    assert.equal(await page.evaluate(() => window.lost), 0, 'the verdict stays until there is one on the better path');
     assert.deepEqual(beamRuns(await program()).length, 24);
   });
 

@@ -82,7 +82,7 @@ export async function startPage(): Promise<void> {
     table: () => layout.toggleTable(), help: () => void help.open(), panel: () => layout.togglePanel(), restart: () => void restart(), notKept: () => notify(words.page.nothingKept),
   });
   const question = questionCard(session);
-  const layout = new Layout(viewport, { stage: element('stage'), hint: element('hint'), toolbar: tools.root, table: selection.table, card: selection.card.root, question, toggles: top.toggles });
+  const layout = new Layout(viewport, { stage: element('stage'), hint: element('hint'), toolbar: tools.root, table: selection.table, card: selection.card.root, question, toggles: top.toggles, showOne: () => void orders.setBeside(false) });
 
   const help = new Help(notify);
   const showPlaceOf = (finding: Finding) => {
@@ -114,9 +114,10 @@ export async function startPage(): Promise<void> {
   // The planner of comparisons is loaded when somebody compares.
   const alternatives = () => (made ??= import('./session/alternatives.js').then((module) => new module.Alternatives(session)));
   const orders = new BeforeAfter({ session, scene, playback, stage: element('stage'), alternatives, theme: () => theme.current, relayout: (begins) => {
-    if (begins) selection.select(null);
-    layout.update();
-    if (begins) viewport.fit(false);
+    if (!begins) return layout.update();
+    selection.select(null);
+    layout.toggleTable(false);
+    viewport.fit(false);
   } });
   new JobView({ session, scene, playback, announcer, notices, selection, orders, showStage: () => layout.closeSheet(), showCommon: tools.common });
   preview.on('comparison', (comparison) => scene.highlight({ marks: comparison?.marks ?? [] }));

@@ -90,7 +90,8 @@ export class BeforeAfter {
     await this.update();
   }
 
-  private async setBeside(on: boolean): Promise<void> {
+  async setBeside(on: boolean): Promise<void> {
+    if (on === this.beside) return;
     if (!on) {
       this.leaveSplit();
       this.order = 'now';

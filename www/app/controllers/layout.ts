@@ -19,6 +19,8 @@ interface Parts {
   question: HTMLElement;
   /** The buttons that open and close the table and the panel. */
   toggles: { table: HTMLButtonElement; panel: HTMLButtonElement };
+  /** Shows one sheet instead of two side by side. */
+  showOne(): void;
 }
 
 export class Layout {
@@ -33,11 +35,13 @@ export class Layout {
     this.parts.hint.hidden = true;
   }
 
+  /** The table would cover the first of two sheets, so it closes when they begin, and they end when it opens. */
   toggleTable(open = !this.parts.table.open): void {
-    const { table, toggles } = this.parts;
+    const { table, toggles, showOne } = this.parts;
+    if (open) showOne();
+    else if (table.root.contains(document.activeElement)) toggles.table.focus();
     table.toggle(open);
     toggles.table.setAttribute('aria-pressed', String(open));
-    if (!open) toggles.table.focus();
     this.update();
   }
 

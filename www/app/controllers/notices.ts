@@ -1,6 +1,7 @@
 /** Sentences over the stage: a notice that disappears by itself, and the card of a file that cannot be used. */
 
 import { button, h, icon } from '../core/dom.js';
+import { leave } from '../core/refill.js';
 import { words } from '../core/words/index.js';
 import type { State } from '../session/state.js';
 
@@ -49,9 +50,4 @@ export class Notices {
     // A question beneath the card is hidden, and the next key must not answer it.
     this.failure.querySelector('button')?.focus({ preventScroll: true });
   }
-}
-
-/** The focus goes to the stage before what has it disappears: the next key acts there, and the next tab goes on from there. */
-function leave(card: HTMLElement): void {
-  if (card.contains(document.activeElement)) document.getElementById('canvas')?.focus();
 }

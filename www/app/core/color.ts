@@ -7,6 +7,8 @@ export function colorOf(name: string): string {
   if (!probe) {
     probe = document.createElement('span');
     probe.hidden = true;
+    // Where the system forces its colours, the sheet keeps its own.
+    probe.style.forcedColorAdjust = 'none';
     document.body.append(probe);
   }
   probe.style.color = `var(--${name})`;

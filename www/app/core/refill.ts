@@ -29,13 +29,20 @@ export function refill(root: Element, ...children: (Node | string)[]): void {
   for (const [e, top, left] of scrolled) twinOf(e, before, after)?.scrollTo(left, top);
 }
 
+/** The focus goes to the stage before what has it disappears: the next key acts there, and the next tab goes on from there. */
+export function leave(root: Element): void {
+  if (root.contains(document.activeElement)) document.getElementById('canvas')?.focus();
+}
+
 function keepFocus(focused: HTMLElement, before: readonly HTMLElement[], after: readonly HTMLElement[]): void {
   const controls = after.filter((e) => e.matches(CONTROLS));
   const twin = twinOf(focused, before, after);
   if (!twin || !focused.matches('input:not([type=checkbox])')) {
     // Where a control is gone, the one in its place: the next key acts where the person is.
     const place = before.filter((e) => e.matches(CONTROLS)).indexOf(focused);
-    (twin ?? controls[Math.min(place, controls.length - 1)])?.focus({ preventScroll: true });
+    const next = twin ?? controls[Math.min(place, controls.length - 1)];
+    if (next) next.focus({ preventScroll: true });
+    else leave(focused);
     return;
   }
   // What is typed has no other place than the field itself, not even its value: "-" or "1e" are no numbers yet.

@@ -3,7 +3,7 @@
 import { type ContourChoice, CORNER_KINDS, LEAD_KINDS, type LeadKind, type Loaded } from 'kerfway';
 import { button, h } from '../core/dom.js';
 import { clock, count, extent, millimetres } from '../core/format.js';
-import { refill } from '../core/refill.js';
+import { leave, refill } from '../core/refill.js';
 import type { Session } from '../session/session.js';
 import type { Playback } from '../playback/playback.js';
 import { partsOf } from '../session/parts.js';
@@ -79,7 +79,7 @@ export class ContourCard {
   show(contours: readonly number[]): void {
     const { loaded, load } = this.session.state;
     this.root.hidden = contours.length === 0 || loaded === null;
-    if (this.root.hidden || loaded === null) return;
+    if (this.root.hidden || loaded === null) return leave(this.root);
     const { actions } = this;
     const single = contours.length === 1 ? contours[0]! : null;
     const [name, facts, why] = single === null ? [this.several(loaded, contours), this.sizes(loaded, contours), ''] : this.one(single);

@@ -3,7 +3,8 @@
 import { h } from '../core/dom.js';
 import { CORNER_KINDS, type CornerKind, type Corners, type MachineProfile } from 'kerfway';
 import { words } from '../core/words/index.js';
-import { check, field, type Measure, numberInput, select } from './section.js';
+import { type Measure, numberInput } from './number-input.js';
+import { check, field, select } from './section.js';
 
 const SIDES = ['outer', 'hole'] as const;
 /** The limits and the values are those of machine profiles. Each measure is for one of the kinds. */

@@ -2,7 +2,7 @@
 
 import { button, h, setText } from '../core/dom.js';
 import { count, extent } from '../core/format.js';
-import { refill } from '../core/refill.js';
+import { leave, refill } from '../core/refill.js';
 import { activeContours, type Finding, type Loaded } from 'kerfway';
 import type { Keeper } from '../session/keeper.js';
 import type { Preview } from '../session/preview.js';
@@ -108,6 +108,7 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
     shown = planFindings;
   });
   const showKept = () => {
+    if (!keeper.keeps) leave(kept);
     kept.hidden = !keeper.keeps;
   };
   keeper.on('change', showKept);

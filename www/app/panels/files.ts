@@ -31,7 +31,7 @@ export function fileList(queue: Queue): Node[] {
   };
   const panel = popover(opener, words.files.title, list, fill);
   queue.on('change', (items) => {
-    const done = items.filter((item) => item.state !== 'waiting' && item.state !== 'planning').length;
+    const done = items.filter((item) => item.state === 'done').length;
     opener.hidden = items.length === 0;
     opener.classList.toggle('warning', items.some(isUnplanned));
     setText(label, words.files.done(count(done), count(items.length)));

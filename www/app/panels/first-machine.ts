@@ -1,6 +1,7 @@
 /** The first choice: which machine cuts. It is asked once, and the answer stays in this browser. */
 
 import { button, h } from '../core/dom.js';
+import { leave } from '../core/refill.js';
 import { words } from '../core/words/index.js';
 import { rememberMachine, rememberedMachine } from '../session/profiles.js';
 import type { Session } from '../session/session.js';
@@ -17,6 +18,7 @@ export function firstMachine(session: Session): HTMLElement {
     const { machine } = session.state;
     if (machine && !rememberMachine(machine.name)) session.store.notify(words.page.nothingKept);
     isAnswered = true;
+    leave(keep);
     show();
   } });
   const root = h('section', { class: 'first-machine' }, h('p', {}, words.machine.which), choice.root, keep);

@@ -4,7 +4,8 @@ import { h } from '../core/dom.js';
 import type { Heat, MachineProfile } from 'kerfway';
 import { words } from '../core/words/index.js';
 import { obstacle } from './exclusions.js';
-import { check, field, type Measure, numberInput } from './section.js';
+import { type Measure, numberInput } from './number-input.js';
+import { check, field } from './section.js';
 
 type Name = 'distance' | 'seconds' | 'charge' | 'thickness' | 'ratio';
 

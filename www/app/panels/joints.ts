@@ -5,7 +5,8 @@ import { button, h } from '../core/dom.js';
 import { count } from '../core/format.js';
 import { words } from '../core/words/index.js';
 import type { Session } from '../session/session.js';
-import { check, field, type Measure, numberInput, select } from './section.js';
+import { type Measure, numberInput } from './number-input.js';
+import { check, field, select } from './section.js';
 
 interface Quantity extends Measure {
   name: 'count' | 'width' | 'spacing' | 'cornerClearance' | 'least' | 'most';

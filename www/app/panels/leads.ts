@@ -3,7 +3,8 @@
 import { button, h } from '../core/dom.js';
 import { DEFAULT_LEADS, LEAD_KINDS, LEAD_POSITIONS, leadRules, leadSettings, type LeadKind, type LeadPosition, type LeadChoice, type MachineProfile } from 'kerfway';
 import { words } from '../core/words/index.js';
-import { field, type Measure, numberInput, select } from './section.js';
+import { type Measure, numberInput } from './number-input.js';
+import { field, select } from './section.js';
 
 interface Quantity extends Measure {
   name: 'length' | 'radius' | 'angle' | 'clearance' | 'centerBelow' | 'overcut';

@@ -6,7 +6,8 @@ import { words } from '../core/words/index.js';
 import { cornersPanel } from './corners.js';
 import { obstacle } from './exclusions.js';
 import { heatPanel } from './heat.js';
-import { check, field, numberInput } from './section.js';
+import { numberInput } from './number-input.js';
+import { check, field } from './section.js';
 import { tipsPanel } from './tips.js';
 
 /** The limits are those of machine profiles. */
@@ -60,7 +61,7 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
   }));
   const lifted = changed('lift', LIFT);
   const height = numberInput({ unit: 'mm', least: 0.1, most: MOST.height }, (value) => lifted({ height: value }));
-  const speed = numberInput({ unit: 'mm/s', least: 0.01 }, (value) => edit((m) => (m.z_speed = value)));
+  const speed = numberInput({ unit: 'mm/s', least: 0.01, most: 1e5 }, (value) => edit((m) => (m.z_speed = value)));
   const down = numberInput({ unit: 'mm', least: 0, most: MOST.down }, (value) => lifted({ stay_down: value }));
   const atRest = check(w.atRest, (on) => lifted({ at_rest: on }));
   const about = h('div', { class: 'stack' },

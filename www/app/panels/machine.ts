@@ -13,13 +13,12 @@ import { isChanged, type MachineActions, presetOf } from './machine-section.js';
 import { skeletonPanel } from './skeleton.js';
 import { materials } from './materials.js';
 import { ownMachines } from './own-machines.js';
-import { check, field, laterDetails, numberInput, select } from './section.js';
+import { type Measure, numberInput } from './number-input.js';
+import { check, field, laterDetails, select } from './section.js';
 import { words } from '../core/words/index.js';
 
-interface Quantity {
+interface Quantity extends Measure {
   label: string;
-  unit: string;
-  least: number;
   /** What the empty field says where it is not "no limit". */
   none?: string;
   /** A sentence below the field that says what the value does. */
@@ -35,8 +34,13 @@ const DEGREE = Math.PI / 180;
 /** The first values when pauses in corners are switched on: the corners of a triangle, and a second to cool. People replace them by their own. */
 const PAUSE = { angle: 70 * DEGREE, time: 1 };
 
-/** The widest kerf that a profile allows, mm. */
-const WIDEST_KERF = 10;
+/** The limits of machine profiles, which are inclusive. */
+const SPEED = { unit: 'mm/s', least: 0.01, most: 1e5 };
+const ACCEL = { unit: 'mm/s²', least: 1, most: 1e7 };
+const POWER = { unit: '%', least: 0, most: 100 };
+const PLACE = { unit: 'mm', least: -1e6, most: 1e6 };
+const WAIT = { unit: 's', least: 0, most: 600 };
+const DELAY = { unit: 's', least: 0, most: 60 };
 
 /** The bed that a side is typed into when the machine has none, mm. */
 const BED: [number, number, number, number] = [0, 0, 600, 400];
@@ -46,30 +50,30 @@ const withSide = (bed: [number, number, number, number], side: number, value: nu
 const degrees = (angle: number | undefined) => (angle === undefined ? null : Math.round((angle / DEGREE) * 1e6) / 1e6);
 
 const QUANTITIES: readonly Quantity[] = [
-  { label: words.machine.cutSpeed, unit: 'mm/s', least: 0.01, get: (m) => m.cut.speed, set: (m, v) => (m.cut.speed = v) },
-  { label: words.machine.cutAccel, unit: 'mm/s²', least: 1, get: (m) => m.cut.accel, set: (m, v) => (m.cut.accel = v) },
-  { label: words.machine.cutPower, unit: '%', least: 0, get: (m) => Math.round(m.cut.power * 1000) / 10, set: (m, v) => (m.cut.power = Math.min(1, v / 100)) },
-  { label: words.machine.kerf, hint: words.machine.kerfHint, unit: 'mm', least: 0, get: (m) => m.kerf_width ?? 0, set: (m, v) => (m.kerf_width = Math.min(v, WIDEST_KERF)) },
-  { label: words.machine.markSpeed, unit: 'mm/s', least: 0.01, get: (m) => m.mark.speed, set: (m, v) => (m.mark.speed = v) },
-  { label: words.machine.markPower, unit: '%', least: 0, get: (m) => Math.round(m.mark.power * 1000) / 10, set: (m, v) => (m.mark.power = Math.min(1, v / 100)) },
-  { label: words.machine.rapidX, unit: 'mm/s', least: 0.01, get: (m) => m.rapid.speed[0], set: (m, v) => (m.rapid.speed[0] = v) },
-  { label: words.machine.rapidY, unit: 'mm/s', least: 0.01, get: (m) => m.rapid.speed[1], set: (m, v) => (m.rapid.speed[1] = v) },
-  { label: words.machine.rapidAccelX, unit: 'mm/s²', least: 1, get: (m) => m.rapid.accel?.[0] ?? null, set: (m, v) => (m.rapid.accel = [v, m.rapid.accel?.[1] ?? v]) },
-  { label: words.machine.rapidAccelY, unit: 'mm/s²', least: 1, get: (m) => m.rapid.accel?.[1] ?? null, set: (m, v) => (m.rapid.accel = [m.rapid.accel?.[0] ?? v, v]) },
-  { label: words.machine.corners, unit: 'mm', least: 0, get: (m) => m.junction_deviation, set: (m, v) => (m.junction_deviation = v) },
-  { label: words.machine.pierce, unit: 's', least: 0, get: (m) => m.pierce_time, set: (m, v) => (m.pierce_time = v) },
-  { label: words.machine.preCut, unit: 's', least: 0, none: words.machine.whole, get: (m) => m.pre_cut_time ?? null, set: allowPartialCuts },
-  { label: words.machine.preCutLength, unit: 'mm', least: 0, get: (m) => m.pre_cut_length ?? 0, set: (m, v) => (m.pre_cut_length = v) },
-  { label: words.machine.sharpAngle, unit: '°', least: 0, none: words.machine.noPauses, get: (m) => degrees(m.sharp_corner?.angle), set: (m, v) => (m.sharp_corner = { ...PAUSE, ...m.sharp_corner, angle: Math.min(v, 180) * DEGREE }) },
-  { label: words.machine.sharpTime, unit: 's', least: 0, get: (m) => m.sharp_corner?.time ?? null, none: words.machine.noPauses, set: (m, v) => (m.sharp_corner = { ...PAUSE, ...m.sharp_corner, time: v }) },
-  { label: words.machine.beamOn, unit: 's', least: 0, get: (m) => m.beam_on_delay, set: (m, v) => (m.beam_on_delay = v) },
-  { label: words.machine.beamOff, unit: 's', least: 0, get: (m) => m.beam_off_delay, set: (m, v) => (m.beam_off_delay = v) },
-  { label: words.machine.zSpeed, unit: 'mm/s', least: 0.01, none: words.machine.noZ, get: (m) => m.z_speed ?? null, set: (m, v) => (m.z_speed = v) },
-  { label: words.machine.homeX, unit: 'mm', least: -1e6, get: (m) => m.home[0], set: (m, v) => (m.home[0] = v) },
-  { label: words.machine.homeY, unit: 'mm', least: -1e6, get: (m) => m.home[1], set: (m, v) => (m.home[1] = v) },
+  { label: words.machine.cutSpeed, ...SPEED, get: (m) => m.cut.speed, set: (m, v) => (m.cut.speed = v) },
+  { label: words.machine.cutAccel, ...ACCEL, get: (m) => m.cut.accel, set: (m, v) => (m.cut.accel = v) },
+  { label: words.machine.cutPower, ...POWER, get: (m) => Math.round(m.cut.power * 1000) / 10, set: (m, v) => (m.cut.power = v / 100) },
+  { label: words.machine.kerf, hint: words.machine.kerfHint, unit: 'mm', least: 0, most: 10, get: (m) => m.kerf_width ?? 0, set: (m, v) => (m.kerf_width = v) },
+  { label: words.machine.markSpeed, ...SPEED, get: (m) => m.mark.speed, set: (m, v) => (m.mark.speed = v) },
+  { label: words.machine.markPower, ...POWER, get: (m) => Math.round(m.mark.power * 1000) / 10, set: (m, v) => (m.mark.power = v / 100) },
+  { label: words.machine.rapidX, ...SPEED, get: (m) => m.rapid.speed[0], set: (m, v) => (m.rapid.speed[0] = v) },
+  { label: words.machine.rapidY, ...SPEED, get: (m) => m.rapid.speed[1], set: (m, v) => (m.rapid.speed[1] = v) },
+  { label: words.machine.rapidAccelX, ...ACCEL, get: (m) => m.rapid.accel?.[0] ?? null, set: (m, v) => (m.rapid.accel = [v, m.rapid.accel?.[1] ?? v]) },
+  { label: words.machine.rapidAccelY, ...ACCEL, get: (m) => m.rapid.accel?.[1] ?? null, set: (m, v) => (m.rapid.accel = [m.rapid.accel?.[0] ?? v, v]) },
+  { label: words.machine.corners, unit: 'mm', least: 0, most: 10, get: (m) => m.junction_deviation, set: (m, v) => (m.junction_deviation = v) },
+  { label: words.machine.pierce, ...WAIT, get: (m) => m.pierce_time, set: (m, v) => (m.pierce_time = v) },
+  { label: words.machine.preCut, ...WAIT, none: words.machine.whole, get: (m) => m.pre_cut_time ?? null, set: allowPartialCuts },
+  { label: words.machine.preCutLength, unit: 'mm', least: 0, most: 1000, get: (m) => m.pre_cut_length ?? 0, set: (m, v) => (m.pre_cut_length = v) },
+  { label: words.machine.sharpAngle, unit: '°', least: 0, most: 180, none: words.machine.noPauses, get: (m) => degrees(m.sharp_corner?.angle), set: (m, v) => (m.sharp_corner = { ...PAUSE, ...m.sharp_corner, angle: v * DEGREE }) },
+  { label: words.machine.sharpTime, ...WAIT, get: (m) => m.sharp_corner?.time ?? null, none: words.machine.noPauses, set: (m, v) => (m.sharp_corner = { ...PAUSE, ...m.sharp_corner, time: v }) },
+  { label: words.machine.beamOn, ...DELAY, get: (m) => m.beam_on_delay, set: (m, v) => (m.beam_on_delay = v) },
+  { label: words.machine.beamOff, ...DELAY, get: (m) => m.beam_off_delay, set: (m, v) => (m.beam_off_delay = v) },
+  { label: words.machine.zSpeed, ...SPEED, none: words.machine.noZ, get: (m) => m.z_speed ?? null, set: (m, v) => (m.z_speed = v) },
+  { label: words.machine.homeX, ...PLACE, get: (m) => m.home[0], set: (m, v) => (m.home[0] = v) },
+  { label: words.machine.homeY, ...PLACE, get: (m) => m.home[1], set: (m, v) => (m.home[1] = v) },
   ...[words.machine.bedX0, words.machine.bedY0, words.machine.bedX1, words.machine.bedY1].map((label, i): Quantity => (
-    { label, unit: 'mm', least: -1e6, none: words.machine.noBed, get: (m) => m.bed?.[i] ?? null, set: (m, v) => (m.bed = withSide(m.bed ?? BED, i, v)) })),
-  { label: words.machine.fullPower, unit: '', least: 1, get: (m) => m.max_s, set: (m, v) => (m.max_s = v) },
+    { label, ...PLACE, none: words.machine.noBed, get: (m) => m.bed?.[i] ?? null, set: (m, v) => (m.bed = withSide(m.bed ?? BED, i, v)) })),
+  { label: words.machine.fullPower, unit: '', least: 1, most: 1e6, get: (m) => m.max_s, set: (m, v) => (m.max_s = v) },
 ];
 
 /** The first pre-cut time when partial cuts are switched on, s: a few millimetres of cut. People replace it by their own. */

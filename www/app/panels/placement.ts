@@ -3,6 +3,7 @@
 import { button, disable, h, setText } from '../core/dom.js';
 import { size } from '../core/format.js';
 import { shownIn, typed, written } from '../core/lengths.js';
+import { leave } from '../core/refill.js';
 import { sentenceOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
 import { type Anchor, ANCHORS, pointOf } from 'kerfway';
@@ -90,6 +91,7 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
     setText(fits, words.placement.reaches(size(x0), size(x1), size(y0), size(y1), shownIn('mm').unit));
     setText(advice, sentence);
     refused.hidden = !isRefusedOffBed(session.state, 'gcode');
+    if (!sentence) leave(alert);
     alert.hidden = sentence === '';
     corner.hidden = !machine.bed || !roomFor(session.state);
     allow.root.hidden = sentence === '' && !placing.allowOffBed;

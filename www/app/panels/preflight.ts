@@ -12,7 +12,7 @@ import { messageOf } from '../core/strings.js';
 import { isKerfwayError, type ProgramCheck } from 'kerfway';
 import { isRefusedOffBed } from '../session/off-bed.js';
 import type { Session } from '../session/session.js';
-import { longestTime } from '../session/state.js';
+import { longestTime, type State } from '../session/state.js';
 import { words } from '../core/words/index.js';
 import { mayFetchWriters } from '../offline/first-visit.js';
 
@@ -36,6 +36,13 @@ export function preflight(session: Session, refuse: (why: string) => void): HTML
   const problems = h('ul', { class: 'problems' });
   const root = h('section', { class: 'preflight', 'aria-label': words.preflight.title }, verdict, facts, problems);
   const latest = new Latest();
+  /** Another one for each job. */
+  let job = {};
+  /** What the check says of the plan, or of the one before of the same job. */
+  let report: ProgramCheck | undefined;
+  /** The check that runs. */
+  let running: Promise<unknown> = mayFetchWriters;
+  let phase = '';
 
   const show = (known: Known) => {
     root.hidden = known === 'nothing';
@@ -46,7 +53,7 @@ export function preflight(session: Session, refuse: (why: string) => void): HTML
     root.classList.toggle('unchecked', unchecked !== undefined);
     if (unchecked !== undefined) verdict.replaceChildren(words.preflight.unchecked);
     else verdict.replaceChildren(icon(fails ? 'warning' : 'check'), fails ? reason : words.preflight.passes);
-    facts.textContent = report ? unbroken(factsOf(report, longestTime(session.state)).join('\u00a0· ')) : (refused ?? unchecked ?? '');
+    facts.textContent = report ? unbroken(factsOf(report, session.state).join('\u00a0· ')) : (refused ?? unchecked ?? '');
     const list = report?.problems ?? [];
     problems.replaceChildren(...list.slice(0, LISTED).map((p) => h('li', { class: p.severity }, p.count > 1 ? words.preflight.more(inChosenUnit(p.message), count(p.count - 1)) : inChosenUnit(p.message))));
     // What is not checked yet is checked while it is written, and is not handed out if it fails.
@@ -54,22 +61,29 @@ export function preflight(session: Session, refuse: (why: string) => void): HTML
   };
   const make = async () => {
     const isLatest = latest.begin();
-    if (session.state.phase !== 'done') return show('nothing');
-    if (isRefusedOffBed(session.state, 'gcode')) return show('off-bed');
-    show({ unchecked: words.preflight.soon });
-    await mayFetchWriters;
+    // A plan that becomes better after its search is planned for no time at all. Until its program is checked, the one before has the say.
+    await null;
     if (!isLatest()) return;
-    try {
-      const report = await session.preflight();
-      if (isLatest()) show({ report });
-    } catch (error) {
-      // While a choice is being applied, nothing is wrong with the program: there is none.
-      if (!isLatest() || session.state.applying) return;
-      const isLost = isKerfwayError(error) && error.code === 'not-started';
-      show(isLost ? { unchecked: messageOf(error) } : { refused: messageOf(error) });
+    if (phase !== 'done') {
+      [job, report] = [{}, undefined];
+      return show('nothing');
     }
+    if (isRefusedOffBed(session.state, 'gcode')) return show('off-bed');
+    if (!report) show({ unchecked: words.preflight.soon });
+    const checked = job;
+    // One after the other: a prover finds better plans faster than their programs are checked.
+    await running;
+    if (!isLatest()) return;
+    running = session.preflight().then(
+      (made) => checked === job && show({ report: (report = made) }),
+      (error: unknown) => {
+        // While a choice is being applied, nothing is wrong with the program: there is none.
+        if (checked !== job || session.state.applying) return;
+        const isLost = isKerfwayError(error) && error.code === 'not-started';
+        show(isLost ? { unchecked: messageOf(error) } : { refused: messageOf(error) });
+      },
+    );
   };
-  let phase = '';
   session.store.on('change', (state) => {
     if (state.phase !== phase) {
       phase = state.phase;
@@ -80,14 +94,17 @@ export function preflight(session: Session, refuse: (why: string) => void): HTML
   return root;
 }
 
-function factsOf(r: ProgramCheck, longest: number): string[] {
+function factsOf(r: ProgramCheck, state: State): string[] {
   const w = words.preflight;
+  const { joints, skeleton_cuts } = state.progress?.summary ?? {};
+  const cuts = r.contours * (r.passes || 1);
   return [
-    w.outlines(r.parts, count(r.parts)),
-    r.passes === 1 ? w.once(r.contours, count(r.contours)) : r.passes === 0 ? w.uneven(count(r.contours)) : w.times(r.contours, count(r.contours), count(r.passes)),
+    // Joints part an outline into open cuts.
+    ...(joints ? [] : [w.outlines(r.parts, count(r.parts))]),
+    joints || skeleton_cuts ? words.result.skeletonCuts(cuts, count(cuts)) : r.passes === 1 ? w.once(r.contours, count(r.contours)) : r.passes === 0 ? w.uneven(count(r.contours)) : w.times(r.contours, count(r.contours), count(r.passes)),
     r.dark_rapids ? w.dark : w.lit,
     ...(r.fits_bed === null ? [] : [r.fits_bed ? w.onBed : w.offBed]),
-    `${metres(r.cut_length)}, ${seconds(r.seconds, longest)}`,
+    `${metres(r.cut_length)}, ${seconds(r.seconds, longestTime(state))}`,
     w.read(r.dialect),
   ];
 }

@@ -5,6 +5,7 @@
 
 import { button, h } from '../core/dom.js';
 import { count, extent } from '../core/format.js';
+import { leave } from '../core/refill.js';
 import { reasonOf, sentenceOf, UNIT_SIZES } from '../core/strings.js';
 import type { Loaded, LoadOptions, Unit } from 'kerfway';
 import type { Session } from '../session/session.js';
@@ -27,6 +28,7 @@ export function questionCard(session: Session): HTMLElement {
     const now = question && loaded && phase === 'question' ? `${question} ${loaded.sha256} ${loaded.units.unit}` : '';
     if (now === asked) return;
     asked = now;
+    leave(root);
     root.hidden = now === '';
     if (!loaded || now === '') return;
     root.replaceChildren(...CARDS[question!](session, loaded));

@@ -6,7 +6,7 @@
 import { button, h } from '../core/dom.js';
 import { save } from '../core/files.js';
 import { area, count, fixed, metres, three, upTo, width } from '../core/format.js';
-import { typed } from '../core/lengths.js';
+import { lengthUnit, typed } from '../core/lengths.js';
 import { doubtOf, downloadName, messageOf } from '../core/strings.js';
 import type { Material, Quote } from 'kerfway';
 import type { Session } from '../session/session.js';
@@ -58,6 +58,9 @@ export function quoteContent(session: Session, { root, setGist }: Section, notif
   return h('div', { class: 'stack' }, field(words.quote.thickness, thickness, 'mm'), field(words.quote.density, density, 'g/cm³'), note, rows, download);
 }
 
+/** A web is not measured more exactly than to some hundredths of a millimetre. */
+const hundredths = (mm: number) => (mm < 1 && lengthUnit === 'mm' ? `${upTo(mm, 2)} mm` : width(mm));
+
 function material(thickness: HTMLInputElement, density: HTMLInputElement): Material {
   const given = (input: HTMLInputElement, unit: string) => (typed(input, unit) > 0 ? typed(input, unit) : undefined);
   const [t, d] = [given(thickness, 'mm'), given(density, '')];
@@ -71,7 +74,7 @@ function facts(q: Quote): [string, string][] {
   const all: [string, string][] = [[words.quote.parts, parts], [words.quote.area, area(q.net_area)]];
   if (q.weight !== null) all.push([words.quote.weight, q.weight < 1000 ? `${fixed(q.weight, 0)} g` : `${fixed(q.weight / 1000, 2)} kg`]);
   if (q.smallest_hole !== null) all.push([words.quote.hole, width(q.smallest_hole.width) + against(q.smallest_hole.over_thickness)]);
-  if (q.narrowest_web !== null) all.push([words.quote.web, width(q.narrowest_web.width) + against(q.narrowest_web.over_thickness)]);
+  if (q.narrowest_web !== null) all.push([words.quote.web, hundredths(q.narrowest_web.width) + against(q.narrowest_web.over_thickness)]);
   const listed = q.parts.slice(0, LISTED);
   const least = Math.min(...listed.map((p) => p.net_area));
   for (const p of listed) all.push([`${count(p.count)} × ${area(p.net_area, least)}`, words.quote.part(metres(p.cut_length), p.holes, count(p.holes))]);

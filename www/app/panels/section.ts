@@ -1,7 +1,7 @@
 /** A section of the right panel: a heading that opens and closes it, with a summary in a few words beside it; and the controls in it. */
 
 import { h, setText } from '../core/dom.js';
-import { shownIn, typed, written } from '../core/lengths.js';
+import { shownIn } from '../core/lengths.js';
 import { messageOf } from '../core/strings.js';
 
 export interface Section {
@@ -72,37 +72,6 @@ export function barrier(control: HTMLInputElement | HTMLSelectElement): { root: 
   };
   bar('');
   return { root, bar };
-}
-
-/** A number that is typed, in its own unit; a length is typed in the unit that the person has chosen. */
-export interface Measure {
-  unit: string;
-  least: number;
-  /** No limit if it is not given. */
-  most?: number;
-  /** The value that the empty field stands for. Without one, an empty field changes nothing. */
-  empty?: number;
-  /** What the empty field says. */
-  placeholder?: string;
-  whole?: boolean;
-}
-
-/** A field for a number. `onChange` gets every valid one; others are marked. `show` leaves alone what is being typed. */
-export function numberInput({ unit, least, most = Infinity, empty, placeholder, whole = false }: Measure, onChange: (value: number) => void): { input: HTMLInputElement; show(value: number | null): void } {
-  const limit = Number.isFinite(most) ? written(most, unit) : undefined;
-  const input = h('input', { type: 'number', step: whole ? 1 : 'any', min: written(least, unit), max: limit, inputmode: 'decimal', placeholder });
-  input.addEventListener('input', () => {
-    const value = input.value === '' && empty !== undefined && input.validity.valid ? empty : typed(input, unit);
-    const valid = (value >= least && value <= most) || value === empty;
-    input.setAttribute('aria-invalid', String(!valid && input.value !== ''));
-    if (valid) onChange(value);
-  });
-  return {
-    input,
-    show(value) {
-      if (document.activeElement !== input) input.value = value === null || value === empty ? '' : written(value, unit);
-    },
-  };
 }
 
 interface Option<T> {

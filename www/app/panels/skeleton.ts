@@ -3,7 +3,8 @@
 import { h } from '../core/dom.js';
 import type { MachineProfile } from 'kerfway';
 import { words } from '../core/words/index.js';
-import { check, field, numberInput } from './section.js';
+import { numberInput } from './number-input.js';
+import { check, field } from './section.js';
 
 /** The limits are those of machine profiles. */
 const SPACING = { unit: 'mm', least: 10, most: 1e5 };

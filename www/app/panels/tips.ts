@@ -4,7 +4,8 @@ import { h } from '../core/dom.js';
 import type { MachineProfile, RiskyMoves, Tips } from 'kerfway';
 import { words } from '../core/words/index.js';
 import { obstacle } from './exclusions.js';
-import { barrier, check, field, type Measure, numberInput, select } from './section.js';
+import { type Measure, numberInput } from './number-input.js';
+import { barrier, check, field, select } from './section.js';
 
 type Name = 'nozzle_radius' | 'margin' | 'pitch' | 'angle' | 'tips_below' | 'drops_below' | 'cross_over';
 
