@@ -62,3 +62,20 @@ test('a machine that is changed for a sample is still changed after a reload, al
     await replanned(page, () => machineSection(page).then((m) => m.getByLabel('Preset').selectOption('co2-100w')));
   }
 });
+
+test('an answer to what the name of one layer suggests leaves the other suggestions', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
+  await phase(page, 'done');
+  await choose(page, 'Layers', 'layers.dxf');
+  await page.evaluate(() => document.querySelectorAll('.section').forEach((s) => (s.open = true)));
+  const asked = () => page.locator('#drawing button, .section button').filter({ hasText: /^(Mark|Ignore) it$/ });
+  const before = await asked().count();
+  assert.ok(before >= 2, `${before} suggestions`);
+  await replanned(page, () => page.getByRole('button', { name: 'Mark it' }).first().click());
+  assert.equal(await asked().count(), before - 1);
+  const now = Object.fromEntries(await operations(page));
+  assert.equal(now.ENGRAVE, 'mark');
+  assert.equal(now.SHEET, 'cut');
+  await replanned(page, () => page.getByRole('button', { name: 'Ignore it' }).first().click());
+  assert.equal(Object.fromEntries(await operations(page)).ENGRAVE, 'mark');
+});

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { after, before, beforeEach, describe, it } from 'node:test';
-import { createPlanner, PROVEN, verifyQuote } from 'kerfway';
+import { createPlanner, plan, PROVEN, verifyQuote } from 'kerfway';
 import { bytes, circle, dxf, KEYBOARD, LONG, square } from './support.mjs';
 
 let planner;
@@ -114,4 +114,11 @@ describe('a path from elsewhere', () => {
     assert.equal(await offered, null);
     await second.done;
   });
+});
+
+/** The pieces of contours at which the bound lost least were halved without end after a million moves, and the worker was given up. */
+it('a search of a square with two equal circles goes on past its bound', async () => {
+  const run = await plan(dxf(square(0, 0, 100), circle(30, 50, 10), circle(70, 50, 10)), { units: 'mm', seed: 1, moves: 2_000_000 });
+  assert.deepEqual([run.moves, run.reason], [2_000_000, 'budget']);
+  assert.ok(run.summary.lower_bound <= run.summary.total_time && run.summary.gap < 1e-3, `${run.summary.gap}`);
 });

@@ -20,7 +20,7 @@ export function describe(session: Session, playback: Playback, contour: number):
   if (!loaded || !info) return [];
   const stop = playback.stopOf(contour);
   const part = partsOf(loaded).of(contour);
-  const name = stop === null ? words.contour.numbered(contour + 1) : words.contour.place(count(stop + 1), count(playback.stops));
+  const name = stop === null ? words.contour.numbered(contour) : words.contour.place(count(stop + 1), count(playback.stops));
   const kind = info.skeleton === true ? words.result.skeleton : info.operation === 'ignore' ? words.contour.excluded : info.operation === 'mark' ? words.contour.mark : !info.closed ? words.contour.open : info.inside === null ? words.contour.outer : words.contour.inner;
   return [name, info.layer, millimetres(info.length), part === null ? '' : words.contour.part(count(part + 1)), kind].filter((t) => t !== '');
 }
@@ -28,7 +28,7 @@ export function describe(session: Session, playback: Playback, contour: number):
 /** The name of a contour that does not depend on the order: its part, if it is the outline of one. */
 export function nameOf(loaded: Loaded, contour: number): string {
   const part = partsOf(loaded).of(contour);
-  return part !== null && loaded.parts[part]?.outer === contour ? words.contour.wholePart(count(part + 1)) : words.contour.numbered(contour + 1);
+  return part !== null && loaded.parts[part]?.outer === contour ? words.contour.wholePart(count(part + 1)) : words.contour.numbered(contour);
 }
 
 /** A line of text that follows the pointer. */

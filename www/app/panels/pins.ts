@@ -72,7 +72,7 @@ export class Pins {
   }
 
   private chips(contours: readonly number[]): HTMLElement {
-    const shown = contours.slice(0, LISTED).map((c) => button(count(c + 1), { class: 'small number', 'aria-label': words.drawing.show(count(c + 1)), onclick: () => this.onContour(c) }));
+    const shown = contours.slice(0, LISTED).map((c) => button(count(c), { class: 'small number', 'aria-label': words.drawing.show(count(c)), onclick: () => this.onContour(c) }));
     const more = contours.length > LISTED && h('span', { class: 'soft' }, words.drawing.others(count(contours.length - LISTED)));
     return h('span', { class: 'pinned' }, ...shown, more);
   }
@@ -89,7 +89,7 @@ export class Pins {
       const name = loaded ? nameOf(loaded, contour) : '';
       const grip = handle(words.drawing.move(name, count(i + 1), count(contours.length)), list, i, { move });
       grip.dataset.grip = `${key}-${i}`;
-      list.append(h('li', {}, grip, button(name, { class: 'quiet small name', 'aria-label': words.drawing.show(count(contour + 1)), onclick: () => this.onContour(contour) }),
+      list.append(h('li', {}, grip, button(name, { class: 'quiet small name', 'aria-label': words.drawing.show(count(contour)), onclick: () => this.onContour(contour) }),
         button(words.drawing.removeOne(name), { icon: 'close', iconOnly: true, class: 'quiet small', onclick: () => remove(contour) })));
     });
     return h('div', {}, list, contours.length > LISTED ? h('span', { class: 'soft' }, words.drawing.others(count(contours.length - LISTED))) : null);
