@@ -78,7 +78,6 @@ test('the table of the cutting order and two sheets side by side end each other;
   await phase(page, 'done');
   const split = page.getByRole('button', { name: 'Show side by side with the plan' });
   const table = page.getByRole('table', { name: 'Cutting order' });
-  // Nothing of the sheet may lie behind the table: the widths of the stage that are free, and the pressed buttons.
   const pressed = () => page.evaluate(() => ['.split-toggle', '.tools [title="Cutting order"]'].map((name) => document.querySelector(name).getAttribute('aria-pressed')));
   await page.keyboard.press('t');
   await table.waitFor();
