@@ -247,7 +247,7 @@ fn a_buffer_without_end_gives_the_seconds_of_the_endless_look_ahead() {
 /// Rounding would turn lines of a few micrometres into other directions, with a corner between each two of them.
 #[test]
 fn a_circle_of_thousands_of_short_lines_takes_as_long_as_planned() {
-    let at = |k: u32| DVec2::new(50.0, 50.0) + 10.0 * DVec2::from_angle(TAU * f64::from(k) / 8000.0);
+    let at = |k: u32| Arc::from_angles(DVec2::new(50.0, 50.0), 10.0, TAU * f64::from(k) / 8000.0, 1.0).start;
     let ring: Vec<DVec2> = (0..8000).map(at).collect();
     let mut job = Job::load(drawing(&[ring]), "ring.dxf", &LoadOptions::default()).unwrap();
     let machine = MachineChoice::Preset("fibre-3kw-thin".into());

@@ -14,7 +14,7 @@ const WINDOW: &str = r#"<svg xmlns="http://www.w3.org/2000/svg" width="32px" hei
 
 #[test]
 fn an_outline_that_comes_to_lie_on_a_line_is_cut_with_it() {
-    let shared = SharedCuts { shift: 0.5, shift_parts: true, ..SharedCuts::default() };
+    let shared = SharedCuts { shift: 0.5, shift_parts: true };
     let levers = Levers { common_cuts: Some(shared), ..Levers::default() };
     let machine = Profile { kerf_width: 0.3, levers, ..preset("co2-100w").unwrap() };
     // The plan is checked.
