@@ -31,9 +31,8 @@ pub(super) fn layers(drawing: &Drawing, options: &SheetOptions, findings: &mut F
     let mut out = Vec::with_capacity(drawing.layers.len());
     for (index, layer) in (0_u32..).zip(&drawing.layers) {
         let asked = place(&layer.name);
-        let never_plotted = same_letters(&layer.name, "defpoints");
         let chosen = asked.and_then(|i| options.layers.get(i)?.1);
-        let operation = chosen.unwrap_or(if never_plotted { Operation::Ignore } else { Operation::Cut });
+        let operation = chosen.unwrap_or_else(|| usual_operation(&layer.name));
         let suggestion = layer_names::suggestion(&layer.name).filter(|s| chosen.is_none() && *s != operation);
         let used = shapes[index as usize];
         if let (Some(s), true) = (suggestion, used > 0) {
@@ -50,6 +49,11 @@ pub(super) fn layers(drawing: &Drawing, options: &SheetOptions, findings: &mut F
         out.push(LayerUse { name, color, operation, suggestion, settings, rank, contours: 0 });
     }
     out
+}
+
+/// What is done with a layer where nobody has chosen anything: everything is cut but what CAD programs never plot.
+pub(crate) fn usual_operation(layer: &str) -> Operation {
+    if same_letters(layer, "defpoints") { Operation::Ignore } else { Operation::Cut }
 }
 
 /// Reports a layer of the options that the drawing does not have.

@@ -57,6 +57,7 @@ pub use build::build;
 pub(crate) use findings::plural;
 pub use groups::{GroupElement, PierceGroup};
 pub(crate) use kerf::{Shift, compensated, shifts};
+pub(crate) use layers::usual_operation;
 pub use model::{
     BridgeCut, Bridged, CommonCuts, Contour, ContourChoice, Group, HandJoint, Ignored, LayerUse, Operation,
     Part, PassOrder, Pin, Sheet, SheetOptions, Strip,

@@ -146,7 +146,7 @@ test('the form of a time changed between the table and the playback when only th
 test('a job in which nothing can be saved had "0 s saved, 0 % of the job"', async (t) => {
   const page = await openPlanned(t, 'co2-100w', 'one.dxf', rectangle(10, 10, 100, 50));
   assert.equal(await page.locator('.large').textContent(), 'No time saved');
-  assert.match(await sectionText(page, 'Result', 'No time saved'), /No time savedAs long as most programs cut it, nearest first; as long as drawn/);
+  assert.match(await sectionText(page, 'Result', 'No time saved'), /No time savedAs long as nearest first, the order of most programs; as long as drawn/);
 });
 
 /** Runs in the page before anything else: records what is written on the chart since it was last cleared, and what of it begins left of it. */

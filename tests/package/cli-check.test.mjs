@@ -91,9 +91,9 @@ it('LightBurn projects and Ruida files are written', async (t) => {
 
 it('nothing is written for a dialect that cannot do what the plan asks', async (t) => {
   const at = workshop(t);
-  const { code, stderr } = await kerfway('plan', at('plate.dxf'), '--gcode', at('plate.nc'), '--dialect', 'mach4-m67', '--no-return', ...PLAN);
+  const { code, stderr } = await kerfway('plan', at('plate.dxf'), '--gcode', at('plate.nc'), '--dialect', 'marlin-fan', '--joints', '2', '--joint-kind', 'flying', ...PLAN);
   assert.equal(code, 1);
-  assert.match(stderr, /Mach4 \(dialect "mach4-m67"\) switches the beam off with the next motion only/);
+  assert.match(stderr, /\(dialect "marlin-fan"\) switches the beam only at rest, so it cannot leave flying joints/);
   assert.equal(existsSync(at('plate.nc')), false);
 });
 

@@ -7,7 +7,9 @@ use crate::drawing::{ReadOptions, Unit, UnitsSource};
 use crate::finding::Finding;
 use crate::letters::same_letters;
 use crate::machine::{Process, Profile, Settings, Start};
-use crate::sheet::{CommonCuts, ContourChoice, Group, HandJoint, Operation, PassOrder, SheetOptions, Strip};
+use crate::sheet::{
+    CommonCuts, ContourChoice, Group, HandJoint, Operation, PassOrder, SheetOptions, Strip, usual_operation,
+};
 use serde::{Deserialize, Serialize};
 
 /// The name and version of the format.
@@ -179,9 +181,8 @@ pub struct GroupOperation {
 pub struct LayerOperation {
     /// Name of the layer.
     pub name: String,
-    /// What was chosen to do with it, if anything was.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub operation: Option<Operation>,
+    /// What is done with it.
+    pub operation: Operation,
     /// What was set for it.
     #[serde(default, skip_serializing_if = "Settings::is_none")]
     pub settings: Settings,
@@ -248,7 +249,7 @@ impl Options {
     pub fn of(read: &ReadOptions, arrange: &SheetOptions) -> Self {
         let layer = |(name, operation): &(String, Option<Operation>)| LayerOperation {
             name: name.clone(),
-            operation: *operation,
+            operation: operation.unwrap_or_else(|| usual_operation(name)),
             settings: arrange.settings.iter().rev().find(|(n, _)| n == name).map_or(Settings::NONE, |s| s.1),
         };
         Self {

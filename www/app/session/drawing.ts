@@ -199,10 +199,10 @@ export class Drawing {
     void this.choose({ ...this.store.state.load, ...options });
   }
 
-  /** What is decided for each layer, also while the drawing is being read again with it. */
+  /** What is decided for each layer, but not for those about which there is a question; also while the drawing is being read again with it. */
   private layers(): LayerChoice[] {
     const { loaded, load } = this.store.state;
-    const known = loaded?.layers.map(({ name }): LayerChoice => ({ name, ...load.layers?.find((l) => l.name === name) })) ?? [];
+    const known = loaded?.layers.map(({ name, operation, suggestion }): LayerChoice => ({ name, ...(suggestion ? {} : { operation }), ...load.layers?.find((l) => l.name === name) })) ?? [];
     const order = new Map(load.layers?.map((l, i) => [l.name, i]) ?? []);
     return known.sort((a, b) => (order.get(a.name) ?? known.length) - (order.get(b.name) ?? known.length));
   }
