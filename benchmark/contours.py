@@ -68,7 +68,7 @@ class Arc:
         self.first, self.sign = self.angle(a), 1 if ccw else -1
         sweep = (self.angle(b) - self.first) * self.sign % (2 * math.pi)
         # Ends that are the same point are a whole turn; in a cut of one arc also those that are as near as a plan may be.
-        same = max(math.dist(a, b), self.radius * sweep) <= 2 * NEAR if alone else False
+        same = alone and max(math.dist(a, b), self.radius * sweep) <= 2 * NEAR
         self.sweep = 2 * math.pi if same or math.dist(a, b) <= 1e-9 or sweep == 0 else sweep
         self.length = self.radius * self.sweep
 

@@ -8,9 +8,8 @@
 //! arc that coincides with its chord after rounding is written as a line, and an element that rounds to one point is
 //! skipped. So is an element shorter than a step of the grid within a cut, and a place between short lines that a longer line
 //! passes within half a step: rounding would turn them into other directions, and the controller would slow down for corners that
-//! nobody drew. An arc that a controller might refuse or distort,
-//! because of its 32-bit numbers or because I and J have few decimals, is written as chords (`grbl_arc.rs`), as is every
-//! arc in a dialect without arcs.
+//! nobody drew. An arc that a controller might refuse or distort, because of its 32-bit numbers or because I and J have few
+//! decimals, is written as chords (`grbl_arc.rs`), as is every arc in a dialect without arcs.
 //!
 //! Every motion, as written, lies within 0.002 mm of its element, or within the dialect's tolerance of chords.
 

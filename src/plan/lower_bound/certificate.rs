@@ -41,7 +41,7 @@ impl Effort {
     /// Cuts that look at a leg in the time in which one is made, which takes square roots.
     const CUTS_OF_A_LEG: u128 = 32;
 
-    /// What a check may take of items with so many knots, after it has looked at all of them for each of its cuts.
+    /// What a check may take of items with `knots` knots in all, after it has looked at all of them for each of its `cuts` cuts.
     pub(super) fn after(cuts: usize, knots: usize) -> Result<Self, CertificateFault> {
         if knots > MOST_KNOTS {
             return Err(CertificateFault::TooMuch("knots"));
@@ -50,7 +50,8 @@ impl Effort {
         Ok(Self { legs: legs.ok_or(CertificateFault::TooMuch("cuts"))? })
     }
 
-    /// Takes what the legs between two items take, at each of which so many cuts look; call it before they are made.
+    /// Counts the work for the legs between two items with `n` and `m` knots, each of which is compared with `cuts` cuts. It is called
+    /// before the legs are made.
     pub(super) fn look_at(&mut self, [n, m]: [usize; 2], cuts: usize) -> Result<(), CertificateFault> {
         let legs = n as u128 * m as u128;
         let all = legs + legs * cuts as u128 / Self::CUTS_OF_A_LEG;
