@@ -133,7 +133,7 @@ export function checkMeasured(measured: unknown): void {
   const wrong = (measured as unknown[]).findIndex((job) => !isRecord(job) || typeof job['plan'] !== 'string' || typeof job['seconds'] !== 'number');
   if (wrong < 0) return;
   const field = `measured[${wrong}]`;
-  throw new KerfwayError('wrong-type', `The option "${field}" is no plan that was run. Give an object with the plan, as text, and its seconds.`, { field });
+  throw new KerfwayError('wrong-type', `The option "${field}" is not a plan that was run. Give an object with the plan, as text, and its seconds.`, { field });
 }
 
 /** Throws a `KerfwayError` unless this is an output format, and a width that a picture can have. */

@@ -244,7 +244,7 @@ function withDeadline(given: AbortSignal | undefined, seconds: number): { signal
   const follow = () => control.abort(given?.reason);
   if (given?.aborted === true) follow();
   const forget = given === undefined ? null : onAbort(given, follow);
-  const late = () => control.abort(new KerfwayError('deadline', `The drawing was not finished within ${seconds} seconds. Try again when less is to do, or raise the deadline.`, { seconds }));
+  const late = () => control.abort(new KerfwayError('deadline', `The drawing was not finished within ${seconds} seconds. Try again when there is less to do, or raise the deadline.`, { seconds }));
   const timer = seconds <= LONGEST_TIMER ? setTimeout(late, seconds * 1000) : undefined;
   const clear = () => {
     clearTimeout(timer);

@@ -146,7 +146,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
         host: { value: 'ADDRESS', about: 'the address to listen on (default 127.0.0.1; 0.0.0.0 for all)' },
         port: { value: 'N', about: 'the port (default 8080; 0 for any)' },
         cors: { value: 'ORIGIN', about: 'pages of this origin may call it; * for all', repeat: true },
-        keys: { value: 'FILE', about: 'needs a key: one per line, KEY or NAME KEY' },
+        keys: { value: 'FILE', about: 'requests need one of the keys in this file: one per line, KEY or NAME KEY' },
       },
       'Limits': {
         workers: { value: 'N', about: 'drawings worked on at once (default: the number of processors)' },
@@ -159,7 +159,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
         grace: { value: 'S', about: 'the time to finish what runs when it is stopped (default 30)' },
       },
       'Several machines': {
-        queue: { value: 'URL', about: 'puts jobs into a queue in Redis or Valkey (redis://...) instead; needs the package bullmq' },
+        queue: { value: 'URL', about: 'puts jobs into a queue in Redis or Valkey (redis://...) instead; needs the packages bullmq and ioredis' },
         expires: { value: 'S', about: 'how long results of the queue are kept (default 86400)' },
       },
     },
@@ -207,9 +207,9 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
     about: 'check the certificate of a lower bound',
     words: 'CERTIFICATE [DRAWING]',
     text:
-      'Verifies what kerfway plan --certificate has written: makes the problem again from the drawing and the machine, adds the numbers of the ' +
-      'certificate up in whole numbers or finds its shortest walk, without a search, and says how many seconds no plan can be under. Without a drawing, it is the file of ' +
-      "the certificate's own name beside it. The exit code is 0 only if the certificate proves what it states.",
+      'Verifies what kerfway plan --certificate has written: makes the problem again from the drawing and the machine, adds up the numbers of the ' +
+      'certificate in whole numbers or finds its shortest walk, without a search, and says how many seconds no plan can be under. If no drawing is given, the ' +
+      'one that the certificate names is read from the same folder. The exit code is 0 only if the certificate proves what it states.',
     options: {
       'The machine': { machine: { value: 'NAME|FILE', about: 'refuse a certificate for any other machine', choices: 'machines' } },
       Output: { json: { value: 'OUT', about: 'seconds, paid, drawing, machine' } },

@@ -82,8 +82,8 @@ export const QUOTING: Options = {
 };
 
 export const PROVING: Options = {
-  bound: { value: 'S', about: 'seconds of work on the lower bound in a thread of its own, beside the search: proves paths of few contours optimal, and is stronger than its own from about 100 on' },
-  'bound-work': { value: 'N', about: 'million numbers of the same work, which prove the same everywhere' },
+  bound: { value: 'S', about: 'seconds of work on the lower bound, in a thread beside the search: proves paths of few contours optimal, and proves more than the search alone from about 100 contours on' },
+  'bound-work': { value: 'N', about: 'the same work, counted in millions of numbers instead of seconds: proves the same everywhere' },
 };
 
 export const LEADS: Options = {

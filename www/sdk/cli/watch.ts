@@ -26,7 +26,7 @@ const GONE = '';
  * file is not read while it is being written, and does not count as gone while it is being replaced.
  */
 export async function watch(words: readonly string[], { round, existing }: Watched): Promise<never> {
-  if (words.includes(STANDARD_INPUT)) throw new WrongUse('--watch follows files, and standard input (-) is none.');
+  if (words.includes(STANDARD_INPUT)) throw new WrongUse('--watch follows files, and standard input (-) is not a file.');
   /** The version of each file when it was last processed. */
   const done = new Map<string, string>();
   let before = new Map<string, string>();
