@@ -6,7 +6,7 @@
 //     compare FOLDER [--only NAME]       writes the plans of other programs into folders below, those that are installed [--by PROGRAM]
 //     keep FOLDER                        takes the plans of a folder that are sound and better into `best`
 //     generate FOLDER --seed N           writes fresh instances and our plans for them [--count K] [--seconds S]
-//     freeze                             makes the instances anew, for the maintainers of the benchmark
+//     freeze                             makes the instances again, for the maintainers of the benchmark
 //     site [FOLDER]                      writes the static pages (default target/benchmark-site)
 
 import { mkdirSync, writeFileSync } from 'node:fs';
