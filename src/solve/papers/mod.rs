@@ -4,8 +4,8 @@
 //! Every parameter of a paper is a documented field whose default is the paper's value. Where a paper leaves something
 //! open, or an equation is misprinted, the module of the method states what was built and why. Where a paper can be read in
 //! several ways, each reading is a value of a parameter, and two presets name sets of them: "as-published" and "at-its-best"
-//! (`presets.rs`). Each departure from a paper is a parameter as well: `docs/methods.md` lists them, and how to switch each
-//! of them off.
+//! (`presets.rs`). Most departures from a paper are parameters as well: `docs/methods.md` lists them with how to switch each
+//! of them off, and names those that have no parameter.
 //!
 //! A method compares solutions by the paper's measure (`legs.rs`), not by the seconds of the whole job. The best solution
 //! it reports is one it found itself, even where the nearest-neighbour tour is better; otherwise a comparison would show

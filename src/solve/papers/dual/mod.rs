@@ -11,8 +11,8 @@
 //! ends after `generations`. Feature points are the nodes of the sheet; those of the paper, vertices and eighths of
 //! circles, are in the instance in `tests/fixtures/yang`.
 //!
-//! Deviation: the paper has no holes, ranks or groups. Where a sheet has them, the order is repaired, and the fitness is
-//! that of the repaired order.
+//! Deviations: by default the legs from home and back to it count, which eq. (1) does not have (`home_legs`). The paper has
+//! no holes, ranks or groups; where a sheet has them, the order is repaired, and the fitness is that of the repaired order.
 
 mod code;
 mod fitness;

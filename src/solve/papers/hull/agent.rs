@@ -6,8 +6,8 @@
 //! 1/mm.
 //!
 //! The reward is (7) to (10). Eq. (9) compares the mean with the *best* of the previous generation, the sentence above it
-//! with the mean of that generation; `mean_reward` says which is followed, by default the sentence. The update is (11), with the action chosen next. The table
-//! starts at zero. Ties between actions are broken at random.
+//! with its mean; `mean_reward` says which is followed, by default the sentence. The update is (11), with the action that is
+//! chosen next. The table starts at zero. Ties between actions are broken at random.
 
 use crate::geometry::math;
 use crate::order::{real, sort_by};

@@ -5,7 +5,7 @@
 //!
 //! A table of costs has no coordinates of which a mean could be taken. Therefore the centre of a group is the item from
 //! which the sum of lengths to the other items is least, where the first node represents an item. k is the square root of
-//! the number of items.
+//! the number of items, rounded up.
 
 use super::particles::Swarm;
 use super::proximity::Initial;

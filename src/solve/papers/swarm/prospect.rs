@@ -8,8 +8,8 @@
 //! used.
 //!
 //! Within one swarm a shorter path never has a smaller value, so comparing by Z gives the same result as comparing by
-//! length. The value is only a number to look at. With a regret avoidance near 0.04 it has the range of the values that the paper
-//! prints (table 3, CPRV, -0.041 to 0.035); one by one, they could not be reproduced by this or any other interpretation.
+//! length. The value is only a number to look at. With a regret avoidance near 0.04 it has the range of the values that the
+//! paper prints (table 3, CPRV, -0.041 to 0.035); the single values are not reproduced.
 
 use crate::geometry::math;
 

@@ -1,9 +1,9 @@
 //! The improved proximity method, Qu & Du section II.B: a nearest-neighbour tour from every feature point. The shortest
 //! path is kept, including the distance d0 from the origin (eq. (3)).
 //!
-//! Steps 1 to 3 are [`NearestNeighbour`]; steps 4 and 5 are here. A fixed start comes first in every path, and the feature
-//! points second. A cycle given by a table is rotated until it starts at the item that the table names. All ties of step 5
-//! are kept, and so are the next shortest paths, because the swarm needs many.
+//! Steps 1 to 3 are [`NearestNeighbour`]; steps 4 and 5 are here. After a fixed start, each feature point comes second in
+//! one path; the paper's only path is among them. A cycle given by a table is rotated to start at the item that it names.
+//! All ties of step 5 are kept, and so are the next shortest paths, because the swarm needs many.
 
 use super::super::keys::Keys;
 use super::super::legs::Legs;

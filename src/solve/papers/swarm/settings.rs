@@ -44,7 +44,7 @@ pub struct SwarmSettings {
 }
 
 impl SwarmSettings {
-    /// The settings of the paper. It does not give the largest velocity.
+    /// The settings of the paper, with local search. The largest velocity and the decoding are not in the paper.
     pub(super) const fn with(fastest: f64, draws: Draws) -> Self {
         let (measure, decode) = (Measure::Euclidean, Decode::Keys);
         let (particles, rounds, local_search, neighbours) = (50, 600, true, 10);

@@ -1,4 +1,4 @@
-//! Parameters of the partition-tree framework. The defaults are those of the paper.
+//! Parameters of the partition-tree framework. The defaults are those of the paper, except for `nodes`.
 
 use super::repartition::RepartitionMoves;
 use serde::{Deserialize, Serialize};
@@ -21,7 +21,7 @@ pub enum InitialPartitions {
 pub enum InitialTours {
     /// Those in which neither their contours nor what is attached to them have precedence.
     Free,
-    /// All of them; violated precedence is repaired (C-LKH-FR of table 3).
+    /// All of them; violated precedence is repaired. This is our reading of C-LKH-FR in table 3.
     All,
     /// None (C-FR, C-MP, C-MSP of table 3).
     None,

@@ -13,7 +13,8 @@ pub enum Kappa {
     /// particles fly or none.
     #[default]
     Swarm,
-    /// One value a particle, from its distances to the others: step 5 prints them with an index of the particle.
+    /// One value a particle, from its distances to the others: step 5 prints them with an index of the particle. Step 7,
+    /// which asks of the whole swarm, has their mean.
     Particle,
 }
 
@@ -35,8 +36,8 @@ pub enum Stagnation {
     /// The chaotic number is drawn once more.
     #[default]
     Chaos,
-    /// The method goes back to step 4, as printed: within the same iteration all particles move by (19) and (20) with a new
-    /// chaotic number, and are evaluated.
+    /// The method goes back to step 4: within the same iteration all particles move by (19) and (20) with a new chaotic
+    /// number, and are evaluated. The paper does not say whether that counts as an iteration.
     Step4,
 }
 
