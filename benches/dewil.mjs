@@ -25,8 +25,10 @@ import { MACHINES } from './dewil/machine.mjs';
 import { PRINTED } from './dewil/printed.mjs';
 import { dxf, SHEETS } from './dewil/sheets.mjs';
 
-const tree = (name, parameters = {}) => ({ name, method: 'partition-tree', parameters });
-const PFR = { name: 'PFr', method: 'pfr', parameters: {} };
+const PUBLISHED = { preset: 'as-published' };
+const tree = (name, parameters = {}) => ({ name, method: 'partition-tree', parameters: { ...PUBLISHED, ...parameters } });
+const PFR = { name: 'PFr', method: 'pfr', parameters: PUBLISHED };
+const GTSP = { name: 'GTSP', method: 'gtsp-lk', parameters: PUBLISHED };
 // How the paths through pierce groups are found, and whether groups may be left.
 const VARIANTS = [
   { suffix: '' },
@@ -39,7 +41,8 @@ const LAYOUTS = [{ scale: 1 }, { scale: 3 }, { scale: 3, gap: [5, 5] }, { scale:
 const TABLES = {
   1: [
     PFR,
-    { name: 'GTSP', method: 'gtsp-lk', parameters: {} },
+    GTSP,
+    // By the text of table 1. Its numbers are those of C-FR in table 3.
     tree('PFr-I', { stall: 0 }),
     tree('F-R'),
     { name: 'tour-tree', method: 'tour-tree', as_long_as: 'F-R' },
@@ -51,12 +54,12 @@ const TABLES = {
     tree('C-FR', { stall: 0, first: 'none' }),
     tree('C-MP', { stall: 0, first: 'none', repartition: 'partitions' }),
     tree('C-MSP', { stall: 0, first: 'none', repartition: 'sequences' }),
-    tree('C-LKH-FR', { stall: 0, first: 'all' }),
+    tree('C-LKH-FR', { stall: 0 }),
   ],
   4: VARIANTS.flatMap(({ suffix, ...variant }) =>
     [
       PFR,
-      { name: 'GTSP', method: 'gtsp-lk', parameters: {} },
+      GTSP,
       tree('F-R'),
       { name: 'tour-tree', method: 'tour-tree', as_long_as: 'F-R', seconds: 1 },
     ].map((run) => ({
@@ -68,7 +71,7 @@ const TABLES = {
   ),
   5: [
     PFR,
-    { name: 'GTSP', method: 'gtsp-lk', parameters: {} },
+    GTSP,
     tree('F-R'),
     { name: 'tour-tree', method: 'tour-tree', as_long_as: 'F-R', seconds: 1 },
   ],

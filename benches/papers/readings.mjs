@@ -33,6 +33,7 @@ const SIZES = [0.4, 2, 5, 10, 20];
 const HULL = ['rlsga', 'sga', 'hull-pso', 'ofa', 'woa'];
 const KEYED = HULL.slice(2);
 
+const DEWIL = ['pfr', 'gtsp-lk', 'partition-tree'];
 /** Of Dewil et al.: pierce groups that must not be left, and their paths by the paper's element insertion. */
 const GROUPS = [['whole', { whole: true }], ['insertion', { common_cuts: 'insertion' }], ['insertion, whole', { common_cuts: 'insertion', whole: true }]];
 
@@ -83,16 +84,17 @@ export const READINGS = {
   },
   dewil: {
     usual: [
-      ['pfr', 'as-published', {}],
-      ['gtsp-lk', 'as-published', {}],
-      ['partition-tree', 'PFr-I', { stall: 0 }],
-      ['partition-tree', 'as-published', {}],
+      ...DEWIL.map((method) => [method, 'as-published', PUBLISHED]),
+      ['partition-tree', 'PFr-I', { ...PUBLISHED, stall: 0 }],
       ['tour-tree', 'as long as F-R', {}, { as_long_as: 'F-R' }],
     ],
     more: [
-      ['partition-tree', 'start=each', { start: 'each' }],
-      ['partition-tree', 'start=single', { start: 'single' }],
-      ...GROUPS.flatMap(([name, more]) => ['pfr', 'gtsp-lk', 'partition-tree'].map((method) => [method, name, {}, more])),
+      ['partition-tree', 'C-FR', { ...PUBLISHED, stall: 0, first: 'none' }],
+      ['partition-tree', 'start=each', { ...PUBLISHED, start: 'each' }],
+      ['partition-tree', 'start=single', { ...PUBLISHED, start: 'single' }],
+      ['partition-tree', 'neighbourhood=all', { ...PUBLISHED, neighbourhood: 'all' }],
+      ...DEWIL.map((method) => [method, 'nodes=entries', {}]),
+      ...GROUPS.flatMap(([name, more]) => DEWIL.map((method) => [method, name, PUBLISHED, more])),
     ],
   },
 };

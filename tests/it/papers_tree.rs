@@ -11,9 +11,13 @@ use kerfway::solve::{Insight, papers};
 use kerfway::solve::{Solution, Status};
 
 /// Every method of the paper, with each of its forms.
-const METHODS: [(&str, &str); 8] = [
+const METHODS: [(&str, &str); 12] = [
     ("pfr", "{}"),
+    ("pfr", r#"{"preset": "as-published"}"#),
     ("gtsp-lk", r#"{"gtsp_moves": 100}"#),
+    ("gtsp-lk", r#"{"preset": "as-published", "gtsp_moves": 100}"#),
+    ("partition-tree", r#"{"preset": "as-published", "gtsp_moves": 100}"#),
+    ("partition-tree", r#"{"neighbourhood": "all", "gtsp_moves": 100}"#),
     ("partition-tree", r#"{"gtsp_moves": 100}"#),
     ("partition-tree", r#"{"gtsp_moves": 100, "start": "single"}"#),
     ("partition-tree", r#"{"gtsp_moves": 100, "start": "each", "stall": 3}"#),
@@ -130,6 +134,12 @@ fn parameters_have_the_papers_values_and_only_their_own_names() {
     assert_eq!(card.parameters["stall"], 10);
     assert_eq!(card.parameters["start"], "pfr");
     assert_eq!(card.parameters["repartition"], "both");
+    for card in
+        papers::cards().into_iter().filter(|c| ["partition-tree", "pfr", "gtsp-lk"].contains(&c.info.name))
+    {
+        assert_eq!(card.parameters["nodes"], "entries", "{}", card.info.name);
+        assert_eq!(card.presets["as-published"]["nodes"], "element-ends", "{}", card.info.name);
+    }
     assert!(papers::method("partition-tree", r#"{"start": "middle"}"#).is_err());
     assert!(papers::method("pfr", r#"{"stall": 1}"#).is_err());
 }

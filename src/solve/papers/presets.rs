@@ -26,7 +26,9 @@ pub(super) fn of(method: &str) -> Value {
         "rlsga" => (json!({ "scaled_fitness": false }), json!({ "scaled_fitness": false })),
         // (1) knows no legs from and to home.
         "dual-coding-ga" => (json!({ "home_legs": false }), none),
-        // The defaults are the paper's, but for the nodes of `partition-tree`: its tables in `docs/papers` have our entries.
+        // "Only at some predefined points on the boundary": where elements meet.
+        "partition-tree" | "pfr" | "gtsp-lk" => (json!({ "nodes": "element-ends" }), none),
+        // The defaults are the paper's.
         _ => (json!({}), none),
     };
     json!({ "as-published": published, "at-its-best": best })

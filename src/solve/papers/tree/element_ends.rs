@@ -115,7 +115,7 @@ mod tests {
         assert_eq!(ends.nodes.iter().map(|n| n.along).collect::<Vec<_>>()[..4], [0.0, 10.0, 18.0, 28.0]);
 
         let method = super::super::parameters::PartitionTree::default();
-        let mut search = AtElementEnds::new(&problem, |p| method.on_entries(p, 1));
+        let mut search = AtElementEnds::new(&problem, |p| method.on_nodes(p, 1));
         while search.step(1_000).status == Status::Running {}
         // To the corner at 10, along to the one at 20, to the other contour and back, around and home: 10 + 20 + 20 + 10 mm,
         // and the second for leaving.

@@ -47,7 +47,7 @@ pub(super) struct Framework<'p> {
 
 impl<'p> Framework<'p> {
     pub(super) fn new(problem: &'p Problem, parameters: PartitionTree, seed: u64) -> Self {
-        let g = Graph::new(problem);
+        let g = Graph::new(problem, parameters.neighbourhood);
         let forest = Forest::new(&g);
         let progress = Progress::new(greedy(problem), f64::INFINITY);
         Self {

@@ -5,18 +5,33 @@
 //! entered by one of its paths, which are its nodes in the problem. It may be left at the nodes of its net, whatever the path:
 //! they have the numbers after all nodes of the problem. What leaving there costs depends on the path ([`Graph::leave_point`]).
 
+use super::parameters::Neighbourhood;
 use crate::geometry::{Aabb, Buckets};
 use crate::machine::AirTime;
+use crate::order::real;
 use crate::problem::{ItemId, LeavePoint, NodeId, Problem};
 use glam::DVec2;
 use std::ops::Range;
 
-/// Number of near nodes of a node. With two per contour these cover the nearest six contours or more, which contain all but
-/// a few edges of good planar tours.
-const NEAR: usize = 12;
-/// Largest number of near nodes of the same contour. One may be its entry, to which nothing can be attached. The same number
-/// of nodes where a pierce group is left come in addition.
-const SAME: usize = 2;
+/// How far moves and connections are searched.
+#[derive(Clone, Copy)]
+pub(super) struct Limits {
+    /// Number of near nodes of a node.
+    near: usize,
+    /// Largest number of near nodes of the same contour. The same number of nodes where a pierce group is left come in
+    /// addition.
+    same: usize,
+    /// Number of near nodes of each node of a merged partition that are tried as its parent.
+    pub(super) parents: usize,
+    /// Largest number of contours in a sub-sequence.
+    pub(super) longest: usize,
+}
+
+/// With two nodes per contour, 12 cover the nearest six contours or more, which contain all but a few edges of good planar
+/// tours. Of the two, one may be the entry, to which nothing can be attached. Sub-sequences of more than 50 contours save
+/// next to nothing on large sheets, and the work grows with their length.
+const NEAR: Limits = Limits { near: 12, same: 2, parents: 4, longest: 50 };
+const NONE: Limits = Limits { near: usize::MAX, same: usize::MAX, parents: usize::MAX, longest: usize::MAX };
 
 /// A node at which a pierce group may be left.
 struct LeaveNode<'p> {
@@ -30,6 +45,7 @@ struct LeaveNode<'p> {
 pub(super) struct Graph<'p> {
     pub(super) problem: &'p Problem,
     air: AirTime,
+    pub(super) limits: Limits,
     /// Near nodes by node, filled contour by contour.
     near: Vec<Vec<NodeId>>,
     buckets: Buckets,
@@ -43,7 +59,7 @@ pub(super) struct Graph<'p> {
 }
 
 impl<'p> Graph<'p> {
-    pub(super) fn new(problem: &'p Problem) -> Self {
+    pub(super) fn new(problem: &'p Problem, neighbourhood: Neighbourhood) -> Self {
         let bounds = problem.nodes.iter().fold(Aabb::EMPTY, |b, n| b.with(n.entry));
         let mut buckets = Buckets::new(bounds, problem.nodes.len());
         for (id, node) in (0..).zip(&problem.nodes) {
@@ -67,7 +83,11 @@ impl<'p> Graph<'p> {
             (0..).zip(&inner).filter(|(_, list)| !list.is_empty()).map(|(id, _)| id).collect();
         crate::order::sort_by(&mut inwards, |&i| [u64::MAX - depth(i), 0, 0]);
         let air = AirTime::new(&problem.machine);
-        Self { problem, air, near: Vec::new(), buckets, inner, inwards, leave_nodes, leave_ranges }
+        let limits = match neighbourhood {
+            Neighbourhood::Near => NEAR,
+            Neighbourhood::All => NONE,
+        };
+        Self { problem, air, limits, near: Vec::new(), buckets, inner, inwards, leave_nodes, leave_ranges }
     }
 
     /// Whether the paper's model covers a problem: precedence comes from nesting only.
@@ -168,14 +188,31 @@ impl<'p> Graph<'p> {
         let first = self.problem.nodes.get(self.near.len())?.item;
         let mut priced = 1;
         while let Some(node) = self.problem.nodes.get(self.near.len()).filter(|n| n.item == first) {
-            let mut found = Vec::with_capacity(NEAR + 1);
+            let mut found = Vec::new();
             // A contour that is left at another point than it is entered (an open one) has neighbours at both.
-            for place in [node.exit, node.entry].into_iter().take(1 + usize::from(node.exit != node.entry)) {
-                priced += self.find_near(&mut found, first, place);
+            let places = [node.exit, node.entry];
+            let places = &places[..1 + usize::from(node.exit != node.entry)];
+            if self.limits.near == usize::MAX {
+                found.extend(self.others(first, places));
+                priced += found.len() as u64;
+                crate::order::sort_by(&mut found, |f| [real(f.0), f.1.into(), 0]);
+            } else {
+                for &place in places {
+                    priced += self.find_near(&mut found, first, place);
+                }
             }
             self.near.push(found.into_iter().map(|f| f.1).collect());
         }
         Some(priced)
+    }
+
+    /// All nodes of other contours, with the seconds from the nearest of these places.
+    fn others<'g>(&'g self, own: ItemId, places: &'g [DVec2]) -> impl Iterator<Item = (f64, NodeId)> + 'g {
+        let count = NodeId::try_from(self.count()).unwrap_or(NodeId::MAX);
+        (0..count).filter(move |&node| self.item(node) != own).map(|node| {
+            let seconds = places.iter().map(|&p| self.air(p, self.place(node)));
+            (seconds.fold(f64::INFINITY, f64::min), node)
+        })
     }
 
     /// Finds nodes of other contours near a point. Returns the number of nodes priced.
@@ -183,7 +220,7 @@ impl<'p> Graph<'p> {
         let mut priced = 0;
         for r in 0..self.buckets.rings(place) {
             let least = self.air.seconds_at_least(self.buckets.distance_of_ring(r));
-            if found.get(NEAR - 1).is_some_and(|f| f.0 <= least) {
+            if found.get(self.limits.near - 1).is_some_and(|f| f.0 <= least) {
                 break;
             }
             for other in self.buckets.ring(place, r).filter(|&other| self.item(other) != own) {
@@ -196,7 +233,7 @@ impl<'p> Graph<'p> {
 
     /// Inserts a node into the sorted list, which holds a few nodes of each contour.
     fn keep(&self, found: &mut Vec<(f64, NodeId)>, new: (f64, NodeId)) {
-        if found.get(NEAR - 1).is_some_and(|last| *last <= new) {
+        if found.get(self.limits.near - 1).is_some_and(|last| *last <= new) {
             return;
         }
         match found.iter().position(|f| f.1 == new.1) {
@@ -207,7 +244,7 @@ impl<'p> Graph<'p> {
         let kind = |node: NodeId| (self.item(node), self.leave_node(node).is_some());
         let own = kind(new.1);
         let mut same = (0..found.len()).filter(|&k| kind(found[k].1) == own);
-        if let Some(last) = same.nth(SAME - 1) {
+        if let Some(last) = same.nth(self.limits.same - 1) {
             if found[last] <= new {
                 return;
             }
@@ -215,7 +252,7 @@ impl<'p> Graph<'p> {
         }
         let place = found.partition_point(|f| *f < new);
         found.insert(place, new);
-        found.truncate(NEAR);
+        found.truncate(self.limits.near);
     }
 }
 

@@ -1,6 +1,5 @@
 //! The three methods of the paper as solvers.
 
-use super::element_ends::AtElementEnds;
 use super::framework::Framework;
 use super::graph::Graph;
 use super::parameters::{PartitionTree, TreeNodes};
@@ -25,19 +24,13 @@ impl Solver for PartitionTree {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        match self.nodes {
-            TreeNodes::Entries => self.on_entries(problem, seed),
-            TreeNodes::ElementEnds => {
-                let method = *self;
-                Box::new(AtElementEnds::new(problem, move |p| method.on_entries(p, seed)))
-            }
-        }
+        self.nodes.start(problem, |p| self.on_nodes(p, seed))
     }
 }
 
 impl PartitionTree {
     /// Starts a search on the nodes of a problem as they are.
-    pub(super) fn on_entries<'p>(&self, problem: &'p Problem, seed: u64) -> Box<dyn Search + 'p> {
+    pub(super) fn on_nodes<'p>(&self, problem: &'p Problem, seed: u64) -> Box<dyn Search + 'p> {
         if Graph::is_one_tree(problem) {
             Box::new(PiecewiseSearch(Framework::new(problem, *self, seed)))
         } else {
@@ -47,8 +40,17 @@ impl PartitionTree {
 }
 
 /// The construction heuristic alone.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Pfr {}
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Pfr {
+    /// The nodes of contours.
+    pub nodes: TreeNodes,
+}
+
+impl Default for Pfr {
+    fn default() -> Self {
+        Self { nodes: PartitionTree::default().nodes }
+    }
+}
 
 impl Solver for Pfr {
     fn info(&self) -> SolverInfo {
@@ -62,24 +64,29 @@ impl Solver for Pfr {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        if Graph::is_one_tree(problem) {
-            Box::new(PiecewiseSearch(Framework::construction(problem)))
-        } else {
-            Box::new(PiecewiseSearch(Single::new(problem, seed, 0)))
-        }
+        self.nodes.start(problem, |p| {
+            if Graph::is_one_tree(p) {
+                Box::new(PiecewiseSearch(Framework::construction(p)))
+            } else {
+                Box::new(PiecewiseSearch(Single::new(p, seed, 0)))
+            }
+        })
     }
 }
 
 /// All contours in one partition, each cut whole: the kind of path that CAM programs make.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct GtspLk {
+    /// The nodes of contours.
+    pub nodes: TreeNodes,
     /// Number of moves of the search for each contour.
     pub gtsp_moves: u64,
 }
 
 impl Default for GtspLk {
     fn default() -> Self {
-        Self { gtsp_moves: PartitionTree::default().gtsp_moves }
+        let PartitionTree { nodes, gtsp_moves, .. } = PartitionTree::default();
+        Self { nodes, gtsp_moves }
     }
 }
 
@@ -95,6 +102,6 @@ impl Solver for GtspLk {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        Box::new(PiecewiseSearch(Single::new(problem, seed, self.gtsp_moves)))
+        self.nodes.start(problem, |p| Box::new(PiecewiseSearch(Single::new(p, seed, self.gtsp_moves))))
     }
 }

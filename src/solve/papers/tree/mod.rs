@@ -25,8 +25,8 @@
 //!   solve it (`gtsp.rs`), and a partition that has not changed is not solved again.
 //! * Nodes are the entries of [`Problem`](crate::problem::Problem): ends of elements and evenly spaced places between them.
 //!   The parameter `nodes` selects the ends of all elements instead (`element_ends.rs`).
-//! * Moves and connections are searched among near nodes (`graph.rs`, `partitions.rs`), not among all. Sub-sequences have at
-//!   most 50 contours.
+//! * Moves and connections are searched among near nodes (`graph.rs`), not among all, and sub-sequences have at most 50
+//!   contours. The parameter `neighbourhood` lifts these limits.
 //! * When a partition is attached elsewhere, its ring may be opened elsewhere too, and a single contour may be entered
 //!   elsewhere. The paper does not exclude this.
 //! * The paper describes PFr in four sentences; `pfr.rs` states how they were interpreted.
@@ -42,7 +42,6 @@
 //!   Where the path makes an air move anyway, the partition bridges it, as in figure 8d.
 //!
 //! [`GtspLk`] is one partition alone, repaired in another way than the paper's (`single.rs`); [`Pfr`] is the construction.
-//! Both have the entries of the problem as nodes.
 
 mod connect;
 mod drawn_partitions;

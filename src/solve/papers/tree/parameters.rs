@@ -1,6 +1,10 @@
-//! Parameters of the partition-tree framework. The defaults are those of the paper, except for `nodes`.
+//! Parameters of the partition-tree framework. The defaults are those of the paper, except for `nodes` and
+//! `neighbourhood`.
 
+use super::element_ends::AtElementEnds;
 use super::repartition::RepartitionMoves;
+use crate::problem::Problem;
+use crate::solve::Search;
 use serde::{Deserialize, Serialize};
 
 /// The initial partitions (section 4.1, table 2).
@@ -21,7 +25,7 @@ pub enum InitialPartitions {
 pub enum InitialTours {
     /// Those in which neither their contours nor what is attached to them have precedence.
     Free,
-    /// All of them; violated precedence is repaired. This is our reading of C-LKH-FR in table 3.
+    /// All of them; violated precedence is repaired. The paper does not do that: its C-LKH-FR of table 3 is `Free`.
     All,
     /// None (C-FR, C-MP, C-MSP of table 3).
     None,
@@ -37,6 +41,31 @@ pub enum TreeNodes {
     ElementEnds,
 }
 
+impl TreeNodes {
+    /// Starts a search on these nodes; its solutions are those of the problem as it is given.
+    pub(super) fn start<'p>(
+        self,
+        problem: &'p Problem,
+        search: impl for<'s> FnOnce(&'s Problem) -> Box<dyn Search + 's>,
+    ) -> Box<dyn Search + 'p> {
+        match self {
+            Self::Entries => search(problem),
+            Self::ElementEnds => Box::new(AtElementEnds::new(problem, search)),
+        }
+    }
+}
+
+/// Where moves and connections lead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Neighbourhood {
+    /// To a few near nodes; sub-sequences have at most 50 contours.
+    Near,
+    /// To all nodes, with sub-sequences of any length, as in the paper. The memory grows with the square of the number of
+    /// nodes, and the work faster.
+    All,
+}
+
 /// The partition-tree framework.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PartitionTree {
@@ -48,6 +77,8 @@ pub struct PartitionTree {
     pub first: InitialTours,
     /// The nodes of contours.
     pub nodes: TreeNodes,
+    /// Where moves and connections lead.
+    pub neighbourhood: Neighbourhood,
     /// The repartitioning moves.
     pub repartition: RepartitionMoves,
     /// Number of moves of the GTSP search for each contour. The paper uses LKH with its defaults.
@@ -61,6 +92,7 @@ impl Default for PartitionTree {
             stall: 10,
             first: InitialTours::Free,
             nodes: TreeNodes::Entries,
+            neighbourhood: Neighbourhood::Near,
             repartition: RepartitionMoves::Both,
             // From 1,000 to 10,000 moves for each contour, the tours of the benchmark's sheets of small parts improve by
             // 0.3 % of all seconds.

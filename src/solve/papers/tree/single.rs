@@ -7,6 +7,7 @@
 
 use super::forest::{Forest, ROOT};
 use super::graph::Graph;
+use super::parameters::Neighbourhood;
 use super::{entries, visits};
 use crate::problem::{Item, NodeId, Problem};
 use crate::solve::insight::charts;
@@ -63,7 +64,7 @@ impl<'p> Single<'p> {
         let repaired = if self.problem.table().is_some() {
             solution(self.problem, &nodes)
         } else {
-            let g = Graph::new(self.problem);
+            let g = Graph::new(self.problem, Neighbourhood::Near);
             let mut forest = Forest::new(&g);
             forest.splice(ROOT, 0, nodes.iter().map(|&n| g.item(n)).collect());
             forest.order(&g, ROOT, &nodes);

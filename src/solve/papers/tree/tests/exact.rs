@@ -116,12 +116,12 @@ fn no_method_is_below_the_optimum_and_the_tree_is_often_at_it() {
     for round in 0..40 {
         let problem = random(2 + round % 3, 2 + round % 2, &mut rng);
         let optimum = optimum(&problem);
-        for method in [&trees[0] as &dyn Solver, &trees[1], &trees[2], &GtspLk::default(), &Pfr {}] {
+        for method in [&trees[0] as &dyn Solver, &trees[1], &trees[2], &GtspLk::default(), &Pfr::default()] {
             let found = run(method, &problem);
             assert!(found.cost >= optimum - 1e-9, "{}: {} below {optimum}", method.info().name, found.cost);
             left += usize::from(found.stops.len() > problem.items.len());
         }
-        let (own, pfr) = (run(&trees[0], &problem).cost, run(&Pfr {}, &problem).cost);
+        let (own, pfr) = (run(&trees[0], &problem).cost, run(&Pfr::default(), &problem).cost);
         assert!(own <= pfr + 1e-9, "improves on PFr: {own} {pfr}");
         at += u32::from(own < optimum + 1e-9);
         built += u32::from(pfr < optimum + 1e-9);
@@ -135,13 +135,13 @@ fn pfr_leaves_a_contour_where_that_is_cheaper() {
     let mut problem = sheet(&[&[[0.0, 0.0], [0.0, 10.0]], &[[2.0, 10.0], [2.0, 20.0]], &[[2.0, 12.0]]]);
     problem.items[2].before = Some(1);
     // 2 right and back, and on the way round 1 at (2,10), where it ends: 2 up to (2,12) first.
-    let found = run(&Pfr {}, &problem);
+    let found = run(&Pfr::default(), &problem);
     let path: Vec<(u32, f64)> = found.stops.iter().map(|s| (s.node, s.until)).collect();
     assert_eq!(path, [(0, 1.0), (4, 0.0), (2, 0.0), (1, 0.0)]);
     near(found.cost, 104.0_f64.sqrt().min(148.0_f64.sqrt().min(8.0_f64.sqrt())) + 2.0 + 2.0 + 1.0);
     // If leaving costs more than it saves, the contours are cut whole.
     problem.items[0].leave = Some(100.0);
-    let whole = run(&Pfr {}, &problem);
+    let whole = run(&Pfr::default(), &problem);
     assert_eq!(whole.stops.len(), 3);
     near(whole.cost, 148.0_f64.sqrt() + 2.0 + 104.0_f64.sqrt());
 }

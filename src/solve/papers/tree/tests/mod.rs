@@ -6,6 +6,7 @@ mod resolution;
 
 use super::forest::{Forest, ROOT};
 use super::graph::Graph;
+use super::parameters::Neighbourhood;
 use crate::problem::{LeavePoint, NodeId, Problem, SubPath};
 use crate::solve::papers::test_sheet;
 use crate::solve::rng::{Draw, Rng};
@@ -86,9 +87,14 @@ fn with_groups(mut problem: Problem, rng: &mut Rng) -> Problem {
     problem
 }
 
-/// The graph with all near nodes.
+/// The graph with its near nodes.
 fn graph(problem: &Problem) -> Graph<'_> {
-    let mut g = Graph::new(problem);
+    graph_of(problem, Neighbourhood::Near)
+}
+
+/// The graph in which moves lead this far.
+fn graph_of(problem: &Problem, neighbourhood: Neighbourhood) -> Graph<'_> {
+    let mut g = Graph::new(problem, neighbourhood);
     while g.list_near().is_some() {}
     g
 }

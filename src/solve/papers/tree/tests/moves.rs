@@ -3,12 +3,13 @@
 use super::super::forest::{Forest, ROOT};
 use super::super::graph::Graph;
 use super::super::moves::{GainfulMoves, TreeMove};
+use super::super::parameters::Neighbourhood;
 use super::super::repartition::{RepartitionMoves, improve};
 use super::super::visits::{keeps_precedence, solution};
 use super::super::{
     connect::Connections, edmonds::arborescence, partitions, repair::repair, resolve::resolve, sequences,
 };
-use super::{PRE_CUT, graph, near, random, random_forest, sheet, with_groups};
+use super::{PRE_CUT, graph, graph_of, near, random, random_forest, sheet, with_groups};
 use crate::problem::NodeId;
 use crate::solve::rng::seeded;
 use std::mem::discriminant;
@@ -43,6 +44,29 @@ fn every_move_gains_what_it_says_and_leaves_a_tree() {
         }
     }
     assert_eq!(kinds.len(), 4, "all kinds of moves were tried");
+}
+
+#[test]
+fn among_all_nodes_moves_gain_what_they_say_and_the_best_is_never_worse() {
+    let mut rng = seeded(11);
+    let (mut few, mut many) = (0, 0);
+    for round in 0..30 {
+        let problem = random(8 + round % 9, 2 + round % 3, &mut rng);
+        let (g, everywhere) = (graph(&problem), graph_of(&problem, Neighbourhood::All));
+        let forest = random_forest(&g, &mut rng);
+        let best = |moves: &[(f64, TreeMove)]| moves.iter().fold(0.0, |best: f64, m| best.max(m.0));
+        let (limited, all) = (found(&g, &forest), found(&everywhere, &forest));
+        assert!(best(&all) >= best(&limited) - 1e-9, "{} {}", best(&all), best(&limited));
+        for (gain, change) in &all {
+            let mut next = forest.clone();
+            change.apply(&everywhere, &mut next);
+            assert!(next.is_sound(&everywhere), "{change:?}");
+            near(forest.seconds(&everywhere) - next.seconds(&everywhere), *gain);
+        }
+        few += limited.len();
+        many += all.len();
+    }
+    assert!(many > few * 3 / 2, "{many} moves instead of {few}");
 }
 
 #[test]
@@ -88,11 +112,11 @@ fn the_repair_puts_a_group_behind_what_would_be_too_late() {
 }
 
 #[test]
-fn near_nodes_are_the_nearest_two_of_each_contour() {
+fn near_nodes_are_the_nearest_two_of_each_contour_and_on_demand_all_nodes() {
     let mut rng = seeded(2);
     for round in 0..20 {
         let problem = random(4 + 3 * round, 2 + round % 4, &mut rng);
-        let g = graph(&problem);
+        let (g, everywhere) = (graph(&problem), graph_of(&problem, Neighbourhood::All));
         for (id, node) in (0..).zip(&problem.nodes) {
             let seconds = |n: NodeId| g.air(node.exit, g.entry(n)).min(g.air(node.entry, g.entry(n)));
             let mut all: Vec<(f64, NodeId)> = (0..)
@@ -101,6 +125,7 @@ fn near_nodes_are_the_nearest_two_of_each_contour() {
                 .map(|(n, _)| (seconds(n), n))
                 .collect();
             all.sort_by(|a, b| a.partial_cmp(b).unwrap());
+            assert_eq!(everywhere.near(id), all.iter().map(|n| n.1).collect::<Vec<_>>());
             let mut kept = vec![0; problem.items.len()];
             all.retain(|n| {
                 kept[g.item(n.1) as usize] += 1;
