@@ -35,7 +35,7 @@ async function emptyTravel({ seeds, only }) {
     });
     const columns = ['', 'printed: mean', 'best', 'to rlsga', 'ours: mean', 'best', 'to rlsga', 'plans, mean', 'optimum', 'at it'];
     const members = name === 'hull-5-20' ? 100 : 200;
-    table(`Table 3, ${name}: empty travel in mm, ${seeds} seeds, ${members} members, 1000 generations; tour-tree 8 million moves`, columns, lines);
+    table(`Table 3, ${name}: empty travel in mm, ${seeds} seeds, ${members} members, 1000 generations, default readings; tour-tree 8 million moves`, columns, lines);
   }
   console.log('Printed values are of another layout and unit: only their order compares. A plan nests what a code says and is as long or shorter.');
 }

@@ -21,9 +21,9 @@ const read = (instances, name) => JSON.parse(readFileSync(instances.file(`qu-du-
 
 export const tables = { 'qu-du-3': tsplib, 'qu-du-5': (o) => contours('fixed', o), 'qu-du-7': (o) => contours('random', o) };
 
-/** As published, then with local search: the parameters that differ from the paper's. */
+/** As published, then with local search, by the default readings. */
 const kinds = (rounds = LOCAL_ROUNDS) => [
-  [`as published, no local search, ${ROUNDS} iterations of 50 particles`, { local_search: false, rounds: ROUNDS }],
+  [`as published, no local search, ${ROUNDS} iterations of 50 particles`, { preset: 'as-published', rounds: ROUNDS }],
   [`with local search, ${rounds} iterations of 50 particles`, { local_search: true, rounds }],
 ];
 

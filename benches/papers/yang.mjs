@@ -30,5 +30,5 @@ function yang({ seeds }) {
   lines.push(line('exact optimum of time', optimum.chebyshev, optimum.chebyshev, null));
   lines.push(['printed', '', '', '', `${PRINTED.time} %`, `${PRINTED.length} %`, '', '']);
   const columns = ['', 'time, mean', 'best', 'length, mean', 'saved: time', 'length', 'from rows in turn: time', 'length'];
-  table(`Yang's example, 27 contours: spare travel by the longer axis (time) and straight, mm; ${seeds} seeds, population 50, 2000 generations; tour-tree 4 million moves`, columns, lines);
+  table(`Yang's example, 27 contours: spare travel by the longer axis (time) and straight, mm; ${seeds} seeds, population 50, 2000 generations, default readings; tour-tree 4 million moves`, columns, lines);
 }
