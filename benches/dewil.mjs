@@ -8,8 +8,8 @@
 //
 // Seconds are those of air moves, piercings and pre-cuts, for the paper's plate and ours; cutting is left out, as there.
 // Printed values are of other sheets and another machine: only improvements over PFr compare. Every path of ours passes the
-// checker. `tour-tree` works for as many seconds of the processor as F-R takes, both begun with the same problem in hand, and
-// no longer; where F-R is at its end after some milliseconds, both are run up to 25 times in turn, and the median counts. Beside
+// checker. The methods of the paper have its nodes, the ends of elements. In table 1 `tour-tree` works for as many seconds of
+// the processor as F-R takes on our entries, both begun with the same problem in hand, and no longer; where F-R is at its end after some milliseconds, both are run up to 25 times in turn, and the median counts. Beside
 // that it works for a second at least.
 
 import { mkdirSync, writeFileSync } from 'node:fs';
@@ -28,6 +28,7 @@ import { dxf, SHEETS } from './dewil/sheets.mjs';
 const PUBLISHED = { preset: 'as-published' };
 const tree = (name, parameters = {}) => ({ name, method: 'partition-tree', parameters: { ...PUBLISHED, ...parameters } });
 const PFR = { name: 'PFr', method: 'pfr', parameters: PUBLISHED };
+const OURS = { name: 'F-R, our entries', method: 'partition-tree', parameters: {} };
 const GTSP = { name: 'GTSP', method: 'gtsp-lk', parameters: PUBLISHED };
 // How the paths through pierce groups are found, and whether groups may be left.
 const VARIANTS = [
@@ -45,8 +46,9 @@ const TABLES = {
     // By the text of table 1. Its numbers are those of C-FR in table 3.
     tree('PFr-I', { stall: 0 }),
     tree('F-R'),
-    { name: 'tour-tree', method: 'tour-tree', as_long_as: 'F-R' },
-    { name: 'tour-tree, 1 s', method: 'tour-tree', as_long_as: 'F-R', seconds: 1 },
+    OURS,
+    { name: 'tour-tree', method: 'tour-tree', as_long_as: OURS.name },
+    { name: 'tour-tree, 1 s', method: 'tour-tree', as_long_as: OURS.name, seconds: 1 },
   ],
   2: [PFR, tree('from PFr'), tree('from SP', { start: 'each' }), tree('from GTSP', { start: 'single' })],
   3: [
@@ -163,8 +165,9 @@ function first(sheets) {
     time('t', 7, 'F-R'),
     { title: 'pre-cuts', cell: (s) => of(s, 'F-R', (r) => r.pre_cuts).toFixed(0) },
     { title: 'tour-tree', number: ours('tour-tree') },
-    { title: 'ahead of F-R', number: (s) => gain(of(s, 'tour-tree'), of(s, 'F-R', REPAIRED)) },
-    { title: 'in 1 s or more', number: (s) => gain(of(s, 'tour-tree, 1 s'), of(s, 'F-R', REPAIRED)) },
+    { title: OURS.name, number: ours(OURS.name, REPAIRED) },
+    { title: 'ahead of that', number: (s) => gain(of(s, 'tour-tree'), of(s, OURS.name, REPAIRED)) },
+    { title: 'in 1 s or more', number: (s) => gain(of(s, 'tour-tree, 1 s'), of(s, OURS.name, REPAIRED)) },
     { title: 'of GTSP, repaired', number: (s) => gain(of(s, 'tour-tree, 1 s'), of(s, 'GTSP')) },
     { title: 'lower bound, s', cell: (s) => seconds(bound(s)) },
     { title: 'below', number: (s) => gain(bound(s), of(s, 'tour-tree, 1 s')) },

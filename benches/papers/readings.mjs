@@ -86,7 +86,7 @@ export const READINGS = {
     usual: [
       ...DEWIL.map((method) => [method, 'as-published', PUBLISHED]),
       ['partition-tree', 'PFr-I', { ...PUBLISHED, stall: 0 }],
-      ['tour-tree', 'as long as F-R', {}, { as_long_as: 'F-R' }],
+      ['tour-tree', 'as long as F-R', {}, { as_long_as: 'F-R, our entries' }],
     ],
     more: [
       ['partition-tree', 'C-FR', { ...PUBLISHED, stall: 0, first: 'none' }],
