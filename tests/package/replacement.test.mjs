@@ -7,6 +7,7 @@ import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
 import { Worker } from 'node:worker_threads';
+import { createPlanner } from 'kerfway';
 import { createFunctions } from '../../dist/sdk/functions.js';
 import { Planner } from '../../dist/sdk/planner.js';
 import { withNewPlanner } from '../../dist/sdk/with-planner.js';
@@ -220,6 +221,15 @@ describe('a worker that does not start', () => {
       return { post: () => {}, close: () => {} };
     };
     await assert.rejects(Planner.open({ module, start }), /^KerfwayError: The planner could not be started\./);
+  });
+
+  it('with a wasm file of another version was waited for for four minutes', async () => {
+    const other = new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0));
+    for (const worker of [true, false]) {
+      const opening = createPlanner({ wasm: other, worker });
+      const late = wait(10_000, 'late', { ref: false });
+      await assert.rejects(Promise.race([opening, late]), { code: 'not-started', message: /^The planner could not be started\. The wasm file is not that of this version \(.+\)\. It was tried 2 times\.$/ });
+    }
   });
 
   it('as the replacement of one that died: calls are rejected with the reason, and the process continues', async (t) => {
