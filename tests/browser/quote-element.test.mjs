@@ -61,6 +61,32 @@ describe('<kerfway-quote>', () => {
     assert.ok(Math.abs(weights[2] - 2 * weights[0]) < 1e-9, String(weights));
   });
 
+  it('had a report that no server can confirm, once its worker had died', async (t) => {
+    const { page } = await open(t, 'moves="3000000" seed="1"');
+    await page.evaluate(() => {
+      const { postMessage } = Worker.prototype;
+      Worker.prototype.postMessage = function (message, ...rest) {
+        const { onmessage } = this;
+        if (message.type === 'plan') {
+          this.onmessage = (event) => {
+            onmessage(event);
+            if (event.data.progress?.moves > 0) this.onerror({ message: 'gone' });
+          };
+          Worker.prototype.postMessage = postMessage;
+        }
+        return postMessage.call(this, message, ...rest);
+      };
+    });
+    await choose(page, 'plates.dxf', bytes(PLATES));
+    await state(page, 'failed');
+    const [[, { code, message, retryable }]] = await page.evaluate(() => window.events.filter(([type]) => type === 'error'));
+    assert.deepEqual([code, message, retryable], ['planner-died', 'The planner had to be started again. Open the drawing again.', true]);
+    assert.deepEqual(await results(page), []);
+    await choose(page, 'plates.dxf', bytes(PLATES));
+    await state(page, 'done');
+    assert.equal((await results(page))[0].moves, 3_000_000);
+  });
+
   it('speaks the language of its host, and chooses sentences by the code of an error', async (t) => {
     const { page } = await open(t);
     await page.evaluate(() => {

@@ -75,6 +75,17 @@ describe('names', () => {
     for (const source of [5, 'text', null, [1, 2]]) assert.match(await refusal(inspect(source)), /not given as bytes/);
   });
 
+  it('in a Map or a Set were ignored, and so was what they said', async () => {
+    for (const list of [new Map([['moves', 10]]), new Set(['moves'])]) assert.equal(await refusal(quote(PLATE, list)), 'quote is a list. Give an object with named options.');
+    assert.equal(await refusal(quote(PLATE, { material: new Map([['thickness', 3]]) })), 'The option "material" is a list. Give an object.');
+  });
+
+  it('of bytes that were transferred to another thread are none: the sentence says so', async () => {
+    const given = PLATE.slice();
+    structuredClone(given.buffer, { transfer: [given.buffer] });
+    assert.match(await refusal(inspect(given)), /^The drawing is not given as bytes, or its buffer was transferred\. Give an ArrayBuffer/);
+  });
+
   it('of layers that the drawing does not have give a finding with a suggestion', async () => {
     const { findings } = await inspect(dxf(square(0, 0, 100, 'CUT')), { layers: [{ name: 'CTU', operation: 'mark' }] });
     const finding = findings.find((f) => f.code === 'layer-unknown');

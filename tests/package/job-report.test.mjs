@@ -59,6 +59,21 @@ it('numbered contours from 1, and the program and the options from 0', async (t)
   for (const contour of ['0', '1']) assert.deepEqual(bySheet.filter((row) => row.startsWith(contour)).map((row) => row[3]), ['1', '2', '3'], 'in the order in which they are cut');
 });
 
+it('lacked the values of the machine, and the checksum of the program that belongs to it', async (t) => {
+  const at = folder(t);
+  const [file, page, program] = ['plate.dxf', 'plate.html', 'plate.nc'].map((name) => join(at, name));
+  writeFileSync(file, PLATE);
+  const report = async (...more) => {
+    await run(process.execPath, [CLI, 'plan', file, '--units', 'mm', '--moves', '500', '--kerf-width', '0.2', '--allow-off-bed', '--report', page, ...more]);
+    return readFileSync(page, 'utf8');
+  };
+  const printed = await report('--gcode', program);
+  assert.match(printed, /<dt>Machine<\/dt><dd>CO2 laser, 100 W, GRBL, 3 mm acrylic, 35 mm\/s, ⌀ 0\.2 mm<\/dd>/);
+  const [, checksum] = /^; (checksum [0-9a-f]{16})$/m.exec(readFileSync(program, 'utf8'));
+  assert.ok(printed.includes(` ${checksum}</footer>`), checksum);
+  assert.doesNotMatch(await report(), /checksum/, 'there is no program');
+});
+
 it('is an output of the command line', async (t) => {
   const at = folder(t);
   writeFileSync(join(at, 'plate.dxf'), PLATE);

@@ -1,19 +1,24 @@
 // A worker that dies or hangs is replaced, and no result is lost.
 
 import assert from 'node:assert/strict';
+import { existsSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
 import { Worker } from 'node:worker_threads';
+import { createPlanner } from 'kerfway';
+import { createFunctions } from '../../dist/sdk/functions.js';
 import { Planner } from '../../dist/sdk/planner.js';
-import { bytes, KEYBOARD } from './support.mjs';
+import { withNewPlanner } from '../../dist/sdk/with-planner.js';
+import { bytes, CLI, fixture, folder, KEYBOARD, ran } from './support.mjs';
 
 const SDK = new URL('../../dist/sdk/', import.meta.url);
 const module = new WebAssembly.Module(await readFile(new URL('pkg/kerfway_bg.wasm', SDK)));
 
 /** A planner on at most `most` real worker threads. The test can kill them, or drop their messages (`deaf`). */
 async function fragile(t, silenceLimits, most = Infinity) {
-  const control = { workers: [], replaced: [], deaf: false };
+  const control = { workers: [], replaced: [], searching: false, deaf: false };
   const start = (onMessage, onDeath) => {
     if (control.workers.length >= most) {
       setImmediate(() => onDeath('There is no memory for another.'));
@@ -21,7 +26,10 @@ async function fragile(t, silenceLimits, most = Infinity) {
     }
     const worker = new Worker(new URL('node-worker.js', SDK));
     control.workers.push(worker);
-    worker.on('message', (message) => control.deaf || onMessage(message));
+    worker.on('message', (message) => {
+      control.searching ||= message.type === 'progress' && message.progress.moves > 0;
+      if (!control.deaf) onMessage(message);
+    });
     worker.on('error', (error) => onDeath(`The planner broke down (${error.message}).`));
     worker.on('exit', () => onDeath('The planner ended unexpectedly.'));
     return { post: (m) => worker.postMessage(m), close: () => void worker.terminate() };
@@ -135,6 +143,57 @@ describe('a worker that dies', () => {
   });
 });
 
+/** The functions of the package, whose planners start a worker each. */
+function functions(t) {
+  const controls = [];
+  const open = async () => (controls.push(await fragile(t)), controls.at(-1).planner);
+  return { controls, ...createFunctions(withNewPlanner(open)) };
+}
+
+describe('a worker that dies while a quote is made', () => {
+  const QUOTE = { moves: 3_000_000, seed: 4, material: { thickness: 3 } };
+  const dying = (controls, deaths) => ({ moves }) => {
+    if (moves > 0 && controls.length <= deaths) void controls.at(-1).workers[0].terminate();
+  };
+
+  it('left a report with 0 moves, which nobody can confirm: the quote is made once more', async (t) => {
+    const { controls, quote } = functions(t);
+    const whole = await quote(bytes(KEYBOARD), QUOTE);
+    const again = await quote(bytes(KEYBOARD), { ...QUOTE, onProgress: dying(controls, 2) });
+    assert.deepEqual(again, whole);
+    assert.deepEqual([again.moves, controls.length], [QUOTE.moves, 3]);
+  });
+
+  it('twice: the quote fails with a sentence', async (t) => {
+    const { controls, quote } = functions(t);
+    const failing = quote(bytes(KEYBOARD), { ...QUOTE, onProgress: dying(controls, 2) });
+    await assert.rejects(failing, { code: 'planner-died', message: 'The planner ended unexpectedly. It was tried 2 times; this file may need more memory than there is.' });
+  });
+
+  it('and confirmed: a good report was taken for a wrong one', async (t) => {
+    const { controls, quote, verifyQuote } = functions(t);
+    const report = await quote(bytes(KEYBOARD), QUOTE);
+    const verifying = verifyQuote(bytes(KEYBOARD), report);
+    await until(() => controls[1]?.searching);
+    await controls[1].workers[0].terminate();
+    assert.deepEqual(await verifying, { valid: true, differences: [], report });
+    assert.equal(controls.length, 3);
+  });
+
+  it('on the command line: nothing is written, and the file fails with a sentence', async (t) => {
+    const out = join(folder(t), 'quote.json');
+    const dying = `import { Worker } from 'node:worker_threads';
+      const { postMessage } = Worker.prototype;
+      Worker.prototype.postMessage = function (message, ...rest) {
+        if (message.type === 'plan') this.on('message', ({ type, progress }) => type === 'progress' && progress.moves > 0 && this.terminate());
+        return postMessage.call(this, message, ...rest);
+      };`;
+    const { code, stderr } = await ran(['--import', `data:text/javascript,${encodeURIComponent(dying)}`, CLI, 'quote', fixture(KEYBOARD), '--moves', '30000000', '--json', out]);
+    assert.deepEqual([code, existsSync(out)], [1, false]);
+    assert.match(stderr, /polaris\.dxf: The planner ended unexpectedly\. Quote this drawing again\.\n$/);
+  });
+});
+
 describe('a worker that no longer answers', () => {
   it('is replaced', async (t) => {
     const control = await fragile(t, { searching: 1, working: 1 });
@@ -162,6 +221,15 @@ describe('a worker that does not start', () => {
       return { post: () => {}, close: () => {} };
     };
     await assert.rejects(Planner.open({ module, start }), /^KerfwayError: The planner could not be started\./);
+  });
+
+  it('with a wasm file of another version was waited for for four minutes', async () => {
+    const other = new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0));
+    for (const worker of [true, false]) {
+      const opening = createPlanner({ wasm: other, worker });
+      const late = wait(10_000, 'late', { ref: false });
+      await assert.rejects(Promise.race([opening, late]), { code: 'not-started', message: /^The planner could not be started\. The wasm file is not that of this version \(.+\)\. It was tried 2 times\.$/ });
+    }
   });
 
   it('as the replacement of one that died: calls are rejected with the reason, and the process continues', async (t) => {

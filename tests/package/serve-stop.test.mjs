@@ -8,6 +8,7 @@ import { createServer } from 'node:net';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
+import { Queue } from 'bullmq';
 import { serve as startService } from '../../dist/sdk/server/serve.js';
 import { DEFAULTS } from '../../dist/sdk/server/settings.js';
 import { form, serve } from './serving.mjs';
@@ -155,15 +156,21 @@ describe('the service, when it is stopped', () => {
   });
 
   const REDIS = ['valkey-server', 'redis-server'].find((name) => spawnSync(name, ['--version']).status === 0);
+  const skip = REDIS === undefined;
+  /** The server of a queue, and its address. */
+  const queueServer = async (t) => {
+    const free = createServer().listen(0, '127.0.0.1');
+    await once(free, 'listening');
+    const { port } = free.address();
+    free.close();
+    const redis = spawn(REDIS, ['--port', String(port), '--bind', '127.0.0.1', '--save', '', '--dir', folder(t)], { stdio: 'ignore' });
+    t.after(() => redis.kill('SIGKILL'));
+    return { redis, address: `redis://127.0.0.1:${port}` };
+  };
   for (const signal of ['SIGKILL', 'SIGSTOP']) {
-    it(`did not stop when the server of its queue had gone (${signal}) and was asked meanwhile`, { skip: REDIS === undefined }, async (t) => {
-      const free = createServer().listen(0, '127.0.0.1');
-      await once(free, 'listening');
-      const { port } = free.address();
-      free.close();
-      const redis = spawn(REDIS, ['--port', String(port), '--bind', '127.0.0.1', '--save', '', '--dir', folder(t)], { stdio: 'ignore' });
-      t.after(() => redis.kill('SIGKILL'));
-      const { send, stop } = await serve(t, '--queue', `redis://127.0.0.1:${port}`);
+    it(`did not stop when the server of its queue had gone (${signal}) and was asked meanwhile`, { skip }, async (t) => {
+      const { redis, address } = await queueServer(t);
+      const { send, stop } = await serve(t, '--queue', address);
       while ((await send(`/quote?${SHORT}`, PLATE)).status !== 202) await wait(50);
       redis.kill(signal);
       assert.equal((await send(`/quote?${SHORT}`, PLATE)).status, 503);
@@ -172,12 +179,47 @@ describe('the service, when it is stopped', () => {
     });
   }
 
-  it('as a worker without its queue did not stop when it was told to', async () => {
-    const child = spawn(process.execPath, [CLI, 'work', '--queue', 'redis://127.0.0.1:1', '--workers', '1'], { stdio: ['ignore', 'pipe', 'ignore'] });
+  /** `kerfway work`, once it says that it runs, with the lines of its log. */
+  const worker = async (t, address) => {
+    const child = spawn(process.execPath, [CLI, 'work', '--queue', address, '--workers', '1'], { stdio: ['ignore', 'pipe', 'pipe'] });
+    t.after(() => child.kill('SIGKILL'));
+    let log = '';
+    child.stderr.on('data', (data) => (log += data));
+    const logged = async (words, ms) => {
+      for (const until = Date.now() + ms; !log.includes(words); await wait(50)) assert.ok(Date.now() < until, `not within ${ms} ms: ${words}`);
+    };
+    const stop = () => (child.kill('SIGTERM'), Promise.race([once(child, 'exit'), wait(20_000, ['still running'])]));
     await once(child.stdout, 'data');
-    child.kill('SIGTERM');
-    const [code] = await Promise.race([once(child, 'exit'), wait(20_000, ['still running'])]);
-    child.kill('SIGKILL');
-    assert.equal(code, 0);
+    return { logged, stop };
+  };
+  const SILENT = 'The queue does not answer within 5 seconds.';
+
+  it('as a worker without its queue did not stop when it was told to', async (t) => {
+    const { stop } = await worker(t, 'redis://127.0.0.1:1');
+    assert.equal((await stop())[0], 0);
+  });
+
+  it('as a worker said nothing about a queue that takes connections and never answers', async (t) => {
+    const mute = createServer((connection) => connection.on('error', () => {}).resume()).listen(0, '127.0.0.1');
+    t.after(() => mute.close());
+    await once(mute, 'listening');
+    const { logged, stop } = await worker(t, `redis://127.0.0.1:${mute.address().port}`);
+    await logged(SILENT, 15_000);
+    assert.equal((await stop())[0], 0);
+  });
+
+  it('as a worker did not stop when its queue hung, and said nothing', { skip }, async (t) => {
+    const { redis, address } = await queueServer(t);
+    const { logged, stop } = await worker(t, address);
+    const queue = new Queue('kerfway', { connection: { url: address } });
+    t.after(() => queue.close());
+    while ((await queue.getWorkers()).length === 0) await wait(50);
+    redis.kill('SIGSTOP');
+    await logged(SILENT, 20_000);
+    redis.kill('SIGCONT');
+    await logged('The queue answers again.', 5_000);
+    redis.kill('SIGSTOP');
+    assert.equal((await stop())[0], 0);
+    redis.kill('SIGCONT');
   });
 });

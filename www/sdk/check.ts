@@ -174,13 +174,13 @@ export function shown(value: unknown): string {
   if (typeof value === 'string') return `"${clean(value)}"`;
   if (value === null || ['number', 'boolean', 'undefined'].includes(typeof value)) return String(value);
   if (typeof value === 'bigint') return `${clean(String(value))}n`;
-  if (isList(value)) return 'a list';
-  return typeof value === 'object' ? 'an object' : `a ${typeof value}`;
+  if (typeof value !== 'object') return `a ${typeof value}`;
+  return isRecord(value) ? 'an object' : 'a list';
 }
 
-/** Whether a value is an object with fields: no list, and not null. */
+/** Whether a value is an object with fields: no list, no `Map` or `Set`, and not null. */
 export function isRecord(value: unknown): value is Record<string, unknown> {
-  return typeof value === 'object' && value !== null && !isList(value);
+  return typeof value === 'object' && value !== null && !(Symbol.iterator in value);
 }
 
 /** Whether a value is a list: an array, or a typed array. */

@@ -52,7 +52,7 @@ export class ClosedError extends KerfwayError {
   }
 }
 
-const NOT_BYTES = 'The drawing is not given as bytes. Give an ArrayBuffer, a Uint8Array, a Buffer, a Blob, a File or a Response.';
+const NOT_BYTES = 'The drawing is not given as bytes, or its buffer was transferred. Give an ArrayBuffer, a Uint8Array, a Buffer, a Blob, a File or a Response.';
 
 /** A mistake of the program that calls, and therefore a `TypeError`; it has a code and params as well. */
 export function notBytes(): TypeError {

@@ -12,7 +12,7 @@ import type { CheckOptions, InspectOptions, JobOptions, PlanJobOptions, Planning
 import type { Started } from './plan-handle.js';
 import type { Planner } from './planner.js';
 import { ProgressStream } from './progress-stream.js';
-import type { Material, Quote } from './quote.js';
+import type { Material, Quote, QuoteTerms } from './quote.js';
 import { quoteBudget } from './quote-budget.js';
 import { compared, optionsOf, planningOf, termsOf, type Verification } from './verify-quote.js';
 import { asJson, isPlanned, withWarmPath } from './plain-data.js';
@@ -167,8 +167,7 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
         const loaded = await loadedBy(planner, source, options);
         const { material, ...rest } = options;
         const setting = settingFor(material, options.machine, planner.machines);
-        await planner.plan(budgeted({ ...rest, ...setting }, loaded, ownBudget), options.onProgress).done;
-        return planner.quote(terms(options));
+        return reported(planner, budgeted({ ...rest, ...setting }, loaded, ownBudget), terms(options), options.onProgress);
       };
       return quietAtClose(async () => {
         options = checkOptions(options, 'quote');
@@ -182,8 +181,7 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
       const work = async (planner: Planner): Promise<Verification> => {
         const loaded = await loadedBy(planner, source, { ...made.reading, ...options, name: String(made.quote.input.name) });
         if (loaded.sha256 !== made.quote.input.sha256) return { valid: false, differences: ['input'], report: null };
-        await planner.plan(planningOf(made.quote, loaded)).done;
-        return compared(made.quote, await planner.quote(termsOf(made.quote)));
+        return compared(made.quote, await reported(planner, planningOf(made.quote, loaded), termsOf(made.quote)));
       };
       return quietAtClose(async () => {
         options = checkOptions(given, 'verifyQuote');
@@ -232,6 +230,17 @@ export function settingFor(material: Material | undefined, machine: PlanOptions[
   const name = material?.name;
   const profile = typeof machine === 'object' ? machine : presets.find((m) => m.name === (machine ?? presets[0]?.name));
   return name && profile?.materials?.length ? { material: name } : {};
+}
+
+/**
+ * The report of a plan. Fails if the worker died: the one that took its place has the path but not the search, so nobody could make its report
+ * again.
+ */
+async function reported(planner: Planner, options: PlanOptions, about: QuoteTerms, onProgress?: (progress: Progress) => void): Promise<Quote> {
+  await planner.plan(options, onProgress).done;
+  const report = await planner.quote(about);
+  if (planner.replaced !== null) throw new KerfwayError('planner-died', planner.replaced);
+  return report;
 }
 
 /** The options of a search with the default budget where none is given. */

@@ -23,6 +23,8 @@ export interface ReportInput {
   svg: string;
   /** The contours that the numbers of the path refer to, if the plan has them: with passes sheet by sheet, a kerf width, and the like. */
   beam?: Beam | null;
+  /** The program in G-code, whose checksum the report then has: that of the program in the machine must be the same. */
+  program?: string | null;
   /** Findings of the plan; those of the drawing are in `loaded`. */
   findings?: readonly Finding[];
   /** When the report was made. Default: it does not say. */
@@ -47,7 +49,7 @@ export function jobReport(job: ReportInput): string {
   const { machine, material } = quote;
   const title = `${loaded.name}, ${text.duration(s.total_time)}`;
   const facts: Fact[] = [
-    [w.machine, machine.title],
+    [w.machine, [machine.title, quote.setting, `${text.length(machine.cut.speed)}/s`, machine.kerf_width ? `⌀ ${text.length(machine.kerf_width)}` : null].filter((word) => word != null).join(', ')],
     [w.material, [material.name, material.thickness == null ? null : text.length(material.thickness)].filter((word) => word != null).join(', ')],
     [w.size, w.readIn(text.size(quote.bounds[2] - quote.bounds[0], quote.bounds[3] - quote.bounds[1]), quote.input.units, quote.input.units_source)],
     [w.parts, w.different(quote.part_count, quote.parts.length)],
@@ -72,7 +74,7 @@ ${section(w.layers, table(text, [w.layer, w.operation, w.contours, w.length], qu
 ${section(w.parts, table(text, ['', w.count, w.size, w.area, w.toCut, w.holes], parts(job, text), [0]), 'parts')}
 ${section(w.findings, findings(job, text))}
 ${section(w.order, order(job, text), 'order')}
-<footer>${escaped(w.source(quote.version, quote.seed, quote.moves, quote.input.sha256.slice(0, 16), quote.hash.slice(0, 16)))}</footer>
+<footer>${escaped(w.source(quote.version, quote.seed, quote.moves, quote.input.sha256.slice(0, 16), quote.hash.slice(0, 16)))} ${checksum(job.program)}</footer>
 </body>
 </html>
 `;
@@ -80,7 +82,7 @@ ${section(w.order, order(job, text), 'order')}
 
 /** Throws a `KerfwayError` that names the first field which is not what a report is made of. */
 function checkInput(job: Partial<ReportInput> | null): void {
-  const { loaded, summary, baselines, path, quote, svg, beam, findings = [], date = new Date(0) } = job ?? {};
+  const { loaded, summary, baselines, path, quote, svg, program, beam, findings = [], date = new Date(0) } = job ?? {};
   const fits: Partial<Record<keyof ReportInput, boolean>> = {
     loaded: isList(loaded?.contours) && isList(loaded.parts) && isList(loaded.findings) && isRecord(loaded.geometry),
     summary: typeof summary?.total_time === 'number',
@@ -88,6 +90,7 @@ function checkInput(job: Partial<ReportInput> | null): void {
     path: isList(path?.contours) && isList(path.points) && isList(path.times),
     quote: quote?.schema === 'kerfway.quote/2',
     svg: typeof svg === 'string',
+    program: program == null || typeof program === 'string',
     beam: beam == null || isList(beam.contours),
     findings: isList(findings),
     date: date instanceof Date && !Number.isNaN(date.getTime()),
@@ -96,6 +99,11 @@ function checkInput(job: Partial<ReportInput> | null): void {
   if (wrong === undefined) return;
   const given = shown((job as Record<string, unknown> | null)?.[wrong]);
   throw new KerfwayError('wrong-type', `The field "${wrong}" of the report is ${given}. Give what plan and quote return, the plan as SVG, and a valid date.`, { field: wrong });
+}
+
+/** The last line of its kind in a program, word for word; dialects may have none. */
+function checksum(program: string | null | undefined): string {
+  return program?.match(/checksum [0-9a-f]{16}/g)?.at(-1) ?? '';
 }
 
 type Fact = readonly [term: string, value: string];

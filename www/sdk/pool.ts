@@ -11,7 +11,7 @@ import { createFunctions, type Functions, type WithPlanner } from './functions.j
 import { onAbort } from './on-abort.js';
 import type { Configuration } from './places.js';
 import type { Planner } from './planner.js';
-import { abortable } from './with-planner.js';
+import { abortable, diedEachTime, TRIES } from './with-planner.js';
 
 /** The size of a pool and of its queue, and where its planners run. */
 export interface PoolOptions extends Configuration {
@@ -44,9 +44,6 @@ export interface Pool extends Functions {
 }
 
 const CLOSED = 'The pool was closed.';
-
-/** How often a file is tried when its worker dies: one death may be chance, a second one is probably due to the file. */
-const TRIES = 2;
 
 /** A call that waits for its turn. */
 interface QueuedCall {
@@ -192,7 +189,7 @@ class PlannerQueue {
       why = planner.replaced;
       this.dismiss(planner);
     }
-    throw new KerfwayError('planner-died', `${why} It was tried ${TRIES} times; this file may need more memory than there is.`);
+    throw diedEachTime(why);
   }
 
   /** A planner, unless the signal aborts first. One that is still starting then is kept for the next call. */

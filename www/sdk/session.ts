@@ -56,7 +56,8 @@ export class Session {
     try {
       this.answer(message);
     } catch (error) {
-      this.fail('id' in message ? message.id : -1, error);
+      if (message.type === 'init') this.host.post({ type: 'broken', message: `The wasm file is not that of this version (${reportOf(error).message}).` });
+      else this.fail('id' in message ? message.id : -1, error);
     }
   }
 

@@ -3,26 +3,9 @@
 import { button, h } from '../core/dom.js';
 import type { PaperMethod } from 'kerfway';
 import type { Session } from '../session/session.js';
+import { CHOICES } from './parameter-choices.js';
 import { check, field, select } from './section.js';
 import { words } from '../core/words/index.js';
-
-/** The values of parameters that are a choice between words, by parameter. All others are numbers or booleans. */
-const CHOICES: Record<string, string[]> = {
-  measure: ['euclidean', 'chebyshev', 'seconds'],
-  decode: ['keys', 'order-nearest', 'permutation'],
-  draws: ['equation', 'key'],
-  kappa: ['swarm', 'particle'],
-  flights: ['keys', 'insertion'],
-  stagnation: ['chaos', 'step4'],
-  initial: ['random', 'proximity'],
-  mean_reward: ['sentence', 'printed'],
-  reversed_run: ['turned', 'order-only'],
-  encoding: ['keys', 'permutation'],
-  start: ['pfr', 'single', 'each'],
-  first: ['free', 'all', 'none'],
-  nodes: ['entries', 'element-ends'],
-  repartition: ['both', 'partitions', 'sequences'],
-};
 
 /** The control that sets a parameter. */
 interface Control {

@@ -192,8 +192,10 @@ export class Session {
     const { loaded, progress, baselines, path, beam, planFindings: findings } = this.state;
     if (loaded === null || progress === null || baselines === null || path === null) return null;
     const [svg, quote] = [(await this.output('svg')) as string, await this.quote({})];
+    // What cannot be written has no program.
+    const program = (await this.output('gcode').catch(() => null)) as string | null;
     const { jobReport, reportText } = await import('./report-text.js');
-    return jobReport({ loaded, summary: progress.summary, baselines, path, beam, findings, svg, quote, date: new Date(), text: reportText() });
+    return jobReport({ loaded, summary: progress.summary, baselines, path, beam, findings, svg, program, quote, date: new Date(), text: reportText() });
   }
 
   /** The planner, to be asked about the best plan. */

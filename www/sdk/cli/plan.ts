@@ -25,7 +25,7 @@ export async function plan(args: string[]): Promise<void> {
     const written: Written[] = [];
     for (const output of outputs) {
       const { kind } = output;
-      const data = kind === 'report' ? reported(planner, loaded, result) : kind === 'certificate' ? certified(proof) : planner.output(kind);
+      const data = kind === 'report' ? reported(planner, loaded, result, outputs) : kind === 'certificate' ? certified(proof) : planner.output(kind);
       written.push({ output, data: await usable(file, data, (sentence) => refused(sentence, kind, outputs)) });
     }
     const saved = given.values['savings'] === true ? await usable(file, savingsOf(planner, options, result)) : null;
@@ -47,9 +47,11 @@ function refused(sentence: string, kind: string, outputs: readonly Output[]): st
   return isSaid ? sentence : `${sentence} Nothing was written: leave out --${kind} to have the other outputs.`;
 }
 
-async function reported(planner: Planner, loaded: Loaded, { progress: { summary, path }, baselines, beam, findings }: PlanResult): Promise<string> {
+/** The report of a job, with the checksum of the program that is written beside it. */
+async function reported(planner: Planner, loaded: Loaded, { progress: { summary, path }, baselines, beam, findings }: PlanResult, outputs: readonly Output[]): Promise<string> {
   if (path === null) throw new KerfwayError('planner-died', 'The plan ended before it had a path.');
-  return jobReport({ loaded, summary, baselines, path, beam, findings, quote: await planner.quote(), svg: await planner.output('svg') });
+  const program = outputs.some(({ kind }) => kind === 'gcode') ? await planner.output('gcode') : null;
+  return jobReport({ loaded, summary, baselines, path, beam, findings, program, quote: await planner.quote(), svg: await planner.output('svg') });
 }
 
 /** The certificate of the bound. */

@@ -1,9 +1,10 @@
 /** `kerfway quote`: reports what a price depends on. */
 
 import { checkQuantity, checkStock, priceBreaks } from '../basket.js';
-import { reportOf } from '../errors.js';
+import { KerfwayError, reportOf } from '../errors.js';
+import type { Planner, PlanResult } from '../node.js';
 import { checkOptions } from '../options.js';
-import type { Limits, Material, Quote } from '../quote.js';
+import type { Limits, Material, Quote, QuoteTerms } from '../quote.js';
 import { quoteBudget } from '../quote-budget.js';
 import type { Stock } from '../sheets.js';
 import { parsed, positive, text, type Words } from './arguments.js';
@@ -24,7 +25,7 @@ export async function quote(args: string[]): Promise<void> {
   const outputs = outputsOf(given, ['json']);
   const inputs = [text(given.values, 'limits') ?? []].flat();
   await planFiles(given, { outputs, columns: COLUMNS, inputs, defaultBudget: quoteBudget }, async ({ file, place, planner, options, result }, to) => {
-    const quoted = await usable(file, planner.quote({ material, ...limits }));
+    const quoted = await usable(file, reported(planner, result, { material, ...limits }));
     const saved = given.values['savings'] === true ? await usable(file, savingsOf(planner, options, result)) : null;
     await to.write(file, outputs.map((output) => {
       // Several documents on standard output have one line each.
@@ -34,6 +35,12 @@ export async function quote(args: string[]): Promise<void> {
     const asked = () => [...orderLines(quoted, order), ...savingLines(saved)];
     await to.report(place, () => [...lines(quoted), ...asked()], () => row(file, quoted), () => [...limitLines(quoted), ...asked()]);
   });
+}
+
+/** The report of the search. A worker that took the place of one that died has its path only, so nobody could make that report again. */
+async function reported(planner: Planner, { reason }: PlanResult, terms: QuoteTerms): Promise<Quote> {
+  if (reason === 'replaced') throw new KerfwayError('planner-died', `${planner.replaced} Quote this drawing again.`);
+  return planner.quote(terms);
 }
 
 const COLUMNS: readonly Column[] = [

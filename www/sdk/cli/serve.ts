@@ -25,6 +25,8 @@ export async function work(args: string[]): Promise<void> {
   if (settings.queue === null) throw new WrongUse('Say where the queue is: --queue redis://HOST:6379.');
   const worker = await started(queueWorker(settings.queue, settings, jsonLog));
   await untilStopped('Kerfway takes jobs from the queue', () => worker.stop());
+  // A connection to a queue that does not answer would keep the process.
+  process.exit();
 }
 
 /** The signals that stop a service, with the exit code of a second one. */

@@ -1,5 +1,6 @@
 /** The class of the element `<kerfway-quote>`. See `index.ts` for its use. */
 
+import { KerfwayError } from '../errors.js';
 import type { Planned, PlanRun } from '../functions.js';
 import type { Source } from '../bytes.js';
 import type { PlanJobOptions } from '../options.js';
@@ -97,6 +98,8 @@ export class KerfwayQuote extends DrawingElement<Quote, never> {
     const number = (this.requested += 1);
     const planner = await this.opened();
     const quote = await abortable(planner.quote({ material: this.material }), signal);
+    // The worker died, and the one that took its place knows only its path: no server could confirm this report.
+    if (quote.from_path && !this.options?.warm) throw new KerfwayError('planner-died', 'The planner had to be started again. Open the drawing again.');
     const price = await abortable(Promise.resolve(this.price?.(quote) ?? ''), signal);
     if (number !== this.requested) throw new DOMException('Another report was requested.', 'AbortError');
     this.piece('price').textContent = price;

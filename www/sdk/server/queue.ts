@@ -126,6 +126,40 @@ function inTime<T>(work: Promise<T>): Promise<T> {
   });
 }
 
+/** Notices when the server of a queue no longer answers, and says so in the log. */
+interface Watch {
+  /** Resolves as soon as the server owes an answer for too long. */
+  gone(): Promise<void>;
+  end(): void;
+}
+
+/** Asks the server of a queue for a sign of life again and again: one that hangs keeps its connections, and reports no error. */
+function watch(redis: Redis, log: Log): Watch {
+  let [ended, silent] = [false, false];
+  const waiting: (() => void)[] = [];
+  const ask = async () => {
+    // One question at a time: what is not answered is kept. An error is an answer, too.
+    const answer = redis.ping().catch(() => {});
+    silent = !(await inTime(answer).then(() => true, () => false));
+    if (!silent) return;
+    for (const resolve of waiting.splice(0)) resolve();
+    if (!ended) log('error', 'queue', { message: `The queue does not answer within ${PATIENCE / 1000} seconds. Jobs wait until it does.` });
+    await answer;
+    if (!ended) log('info', 'queue', { message: 'The queue answers again.' });
+  };
+  const watching = async () => {
+    while (!ended) {
+      await ask();
+      await new Promise((resolve) => setTimeout(resolve, PATIENCE).unref());
+    }
+  };
+  void watching();
+  return {
+    gone: () => (silent ? Promise.resolve() : new Promise((resolve) => waiting.push(resolve))),
+    end: () => (ended = true),
+  };
+}
+
 /** The report of a job that failed. */
 function failureOf(reason: string | undefined): ErrorReport {
   try {
@@ -138,7 +172,10 @@ function failureOf(reason: string | undefined): ErrorReport {
 
 /** A process that takes jobs from the queue. */
 export interface QueueWorker {
-  /** Finishes the running jobs and ends. Without a connection to the queue it ends at once. */
+  /**
+   * Finishes the running jobs and ends. Without a connection to the queue it ends at once, and within seconds if the queue does not answer; then the
+   * process has to be ended too, because BullMQ waits for an answer.
+   */
   stop(): Promise<void>;
 }
 
@@ -175,10 +212,12 @@ export async function queueWorker(address: string, { workers, deadline }: Pick<S
   });
   worker.on('error', (error) => log('error', 'queue', { message: error.message }));
   log('info', 'working', { workers });
+  const queue = watch(redis, log);
   return {
     stop: async () => {
-      // Without its server the worker would wait for a connection for ever, and results of running jobs would have nowhere to go.
-      await worker.close(redis.status !== 'ready');
+      // Without its server the worker would wait for ever, and results of running jobs would have nowhere to go.
+      await Promise.race([worker.close(redis.status !== 'ready'), queue.gone()]);
+      queue.end();
       pool.close();
       redis.disconnect();
       log('info', 'stopped');

@@ -1,0 +1,19 @@
+/** What the parameters of methods from papers can be. The planner tells their defaults only. */
+
+/** The values of parameters that are a choice between words, by parameter. All others are numbers or booleans. */
+export const CHOICES: Record<string, string[]> = {
+  measure: ['euclidean', 'chebyshev', 'seconds'],
+  decode: ['keys', 'order-nearest', 'permutation'],
+  draws: ['equation', 'key'],
+  kappa: ['swarm', 'particle'],
+  flights: ['keys', 'insertion'],
+  stagnation: ['chaos', 'step4'],
+  initial: ['random', 'proximity'],
+  mean_reward: ['sentence', 'printed'],
+  reversed_run: ['turned', 'order-only'],
+  encoding: ['keys', 'permutation'],
+  start: ['pfr', 'single', 'each'],
+  first: ['free', 'all', 'none'],
+  nodes: ['entries', 'element-ends'],
+  repartition: ['both', 'partitions', 'sequences'],
+};
