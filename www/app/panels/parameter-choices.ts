@@ -15,5 +15,6 @@ export const CHOICES: Record<string, string[]> = {
   start: ['pfr', 'single', 'each'],
   first: ['free', 'all', 'none'],
   nodes: ['entries', 'element-ends'],
+  neighbourhood: ['near', 'all'],
   repartition: ['both', 'partitions', 'sequences'],
 };
