@@ -19,7 +19,7 @@ export async function site(folder) {
   const { instances } = listed();
   const body = Object.entries(TRACKS).map(([track, title]) => section(track, title, instances.filter((e) => e.track === track)));
   writeFileSync(join(folder, 'index.html'), page([...body, curves()].join('\n')));
-  for (const part of ['instances', 'best', 'instances.json', 'check.py', 'contours.py', 'gtsplib.py', 'README.md']) {
+  for (const part of ['instances', 'best', 'instances.json', 'check.py', 'rules.py', 'README.md']) {
     cpSync(join(HERE, part), join(folder, part), { recursive: true });
   }
   console.log(`${join(folder, 'index.html')}: ${instances.length} instances`);
