@@ -5,7 +5,7 @@
     python3 check.py --instance NAME PLAN     one plan for an instance of the benchmark
 
 Prints a line for each plan: its value, or the name of what is wrong and where. Exit code 0 if every plan is sound, 1 if one is wrong, 2 if
-the command is, or if there is nothing to check. README.md defines instances, plans, rules and cost.
+the command is, or if something cannot be checked. README.md defines instances, plans, rules and cost.
 """
 
 import gzip
@@ -90,11 +90,11 @@ def instance_of(name):
 
 
 def folder(path):
-    """Checks every plan of a folder; whether all are sound."""
+    """Checks every plan of a folder; the exit code."""
     files = sorted(file for file in path.iterdir() if file.name.endswith((".json", ".json.gz")))
     if not files:
         raise Unusable(f"there is no plan in {path}: a plan for the instance NAME is named NAME.json or NAME.json.gz")
-    wrong = 0
+    code = 0
     for file in files:
         name = file.name.removesuffix(".gz").removesuffix(".json")
         try:
@@ -104,9 +104,12 @@ def folder(path):
             beside = "" if best is None else f"   best known {best:.3f}   {round(100 * (value / best - 1), 3) + 0.0:+.3f} %"
             print(f"{name:24} {value:14.3f}{beside}", flush=True)
         except Wrong as error:
-            wrong += 1
+            code = 1
             print(f"{name:24} WRONG  {error}", flush=True)
-    return wrong == 0
+        except Unusable as error:
+            code = code or 2
+            print(f"{name:24} not checked: {error}", flush=True)
+    return code
 
 
 def main(arguments):
@@ -115,7 +118,7 @@ def main(arguments):
     elif len(arguments) == 2 and not arguments[0].startswith("-"):
         print(f"{check(instance_in(arguments[0]), plan_of(arguments[1])):.6f}")
     elif len(arguments) == 1 and Path(arguments[0]).is_dir():
-        return 0 if folder(Path(arguments[0])) else 1
+        return folder(Path(arguments[0]))
     elif len(arguments) == 1 and not arguments[0].startswith("-"):
         raise Unusable(f"{arguments[0]} is not a folder: name a folder of plans, or an instance and a plan")
     else:

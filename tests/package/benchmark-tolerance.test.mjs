@@ -3,6 +3,8 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
+import { cpSync, existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { HERE, listed } from '../../benchmark/instances.mjs';
@@ -100,6 +102,24 @@ print(said)`], { cwd: HERE, encoding: 'utf8' });
       assert.equal(status, 2, JSON.stringify(contour));
       assert.match(stderr, /^check\.py: [^\n]+ is not an instance: [^\n]+\.\n$/);
     }
+  });
+
+  it('checks the other plans of a folder where the file of one instance is missing', (t) => {
+    // As in the folder of the site, which has no files of GTSPLIB.
+    const folder = mkdtempSync(join(tmpdir(), 'kerfway-'));
+    t.after(() => rmSync(folder, { recursive: true }));
+    for (const part of ['check.py', 'rules.py', 'instances.json']) cpSync(join(HERE, part), join(folder, part));
+    for (const name of ['31pr152', 'sheet-100-ccp']) {
+      for (const part of ['best', 'instances']) {
+        const file = join(part, `${name}.json.gz`);
+        if (existsSync(join(HERE, file))) cpSync(join(HERE, file), join(folder, file));
+      }
+    }
+    const { stdout, status } = spawnSync('python3', ['check.py', 'best'], { cwd: folder, encoding: 'utf8' });
+    assert.equal(status, 2);
+    const [missing, sheet] = stdout.trim().split('\n');
+    assert.match(missing, /^31pr152 +not checked: .* cannot be read: /);
+    assert.match(sheet, /^sheet-100-ccp +2734\.897 /);
   });
 
   it('takes a file of GTSPLIB as an instance', () => {

@@ -9,7 +9,7 @@ import { describe, it } from 'node:test';
 import { gunzipSync } from 'node:zlib';
 import { generated } from '../../benchmark/generate.mjs';
 import { HERE, instances, listed } from '../../benchmark/instances.mjs';
-import { isPossible } from '../../benchmark/keep.mjs';
+import { isPossible, keep } from '../../benchmark/keep.mjs';
 import { plot } from '../../benchmark/plot.mjs';
 import { solved } from '../../benchmark/solve.mjs';
 import { along, checked, NEEDS_PYTHON, pierce } from './reference-checker.mjs';
@@ -233,4 +233,8 @@ it('names of instances that there are not are refused, where nothing was done an
 
 it('a plan could bring a lower bound above the best value into the list', () => {
   assert.deepEqual([99, 100, 101, '99', null, undefined, NaN].map((bound) => isPossible(bound, 100)), [true, true, false, false, false, false, false]);
+});
+
+it('a folder without plans has nothing to keep, and the command says so', () => {
+  assert.throws(() => keep('/no/such/folder'), /No plan in \/no\/such\/folder is named after an instance/);
 });
