@@ -99,9 +99,10 @@ def stretch(contour, begin, end, track, pierced):
         exact.append(place - off if abs(off) <= 2 * NEAR else place)
     if not pierced and contour.left and all(abs(contour.at(place) - contour.at(exact[0])) > NEAR for place in ends):
         raise Wrong("no-pierce: nothing was pierced here, and no cut of this contour ends here")
-    if min(length, abs(exact[1] - exact[0])) <= 2 * NEAR:
+    shorter = min(length, abs(exact[1] - exact[0]))
+    if shorter <= 2 * NEAR:
         # Many of them would add up to a contour, or lead along one that is cut already.
-        raise Wrong(f"not-a-plan: this is a cut of {length:.4f} mm; a cut is longer than {2 * NEAR} mm")
+        raise Wrong(f"not-a-plan: this is a cut of {shorter:.4f} mm; a cut is longer than {2 * NEAR} mm")
     if track in ("CCP", "TIME") and not contour.begun and abs(length - contour.length) > 2 * NEAR:
         raise Wrong(f"not-whole: {length:.3f} mm of a contour of {contour.length:.3f} mm are cut, which this track cuts in one go")
     if track == "ECP" and any(abs(contour.off(place, contour.vertices)) > NEAR for place in (begin, end)):
