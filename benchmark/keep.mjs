@@ -4,6 +4,7 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gunzipSync, gzipSync } from 'node:zlib';
+import { Stop } from '../scripts/tools.mjs';
 import { HERE, listed, store } from './instances.mjs';
 
 /** Values closer than this share are the same. */
@@ -11,10 +12,12 @@ const SAME = 1e-9;
 
 export function keep(folder) {
   const list = listed();
+  let found = 0;
   mkdirSync(join(HERE, 'best'), { recursive: true });
   for (const entry of list.instances) {
     const file = [`${entry.name}.json.gz`, `${entry.name}.json`].map((name) => join(folder, name)).find(existsSync);
     if (file === undefined) continue;
+    found += 1;
     const { status, stdout } = spawnSync('python3', [join(HERE, 'check.py'), '--instance', entry.name, file], { encoding: 'utf8' });
     if (status !== 0) {
       console.log(`${entry.name}: ${stdout.trim()}`);
@@ -40,6 +43,7 @@ export function keep(folder) {
       best.bound = rounded(known);
     }
   }
+  if (found === 0) throw new Stop(`No plan in ${folder} is named after an instance: a plan for the instance NAME is named NAME.json or NAME.json.gz.`);
   store(list);
 }
 

@@ -8,7 +8,7 @@ import { plot } from './plot.mjs';
 const TRACKS = {
   CCP: 'Continuous cutting: each contour in one go, from any point',
   TIME: 'The same in seconds of rapid moves that start and end at rest',
-  GTSP: 'One node of each set (GTSPLIB)',
+  GTSP: 'One node of each set: instances of GTSPLIB, whose files are in the repository (benches/data/gtsplib) and not here',
   ECP: 'Endpoint cutting: a contour may be left and continued at ends of its lines and arcs',
   ICP: 'Intermittent cutting: a contour may be left and continued anywhere',
 };
@@ -19,7 +19,7 @@ export async function site(folder) {
   const { instances } = listed();
   const body = Object.entries(TRACKS).map(([track, title]) => section(track, title, instances.filter((e) => e.track === track)));
   writeFileSync(join(folder, 'index.html'), page([...body, curves()].join('\n')));
-  for (const part of ['instances', 'best', 'instances.json', 'check.py', 'contours.py', 'gtsplib.py', 'README.md']) {
+  for (const part of ['instances', 'best', 'instances.json', 'check.py', 'rules.py', 'README.md']) {
     cpSync(join(HERE, part), join(folder, part), { recursive: true });
   }
   console.log(`${join(folder, 'index.html')}: ${instances.length} instances`);
@@ -28,9 +28,10 @@ export async function site(folder) {
 function section(track, title, entries) {
   const rows = entries.map(({ name, size, best, file, licence }) => {
     const gap = best?.bound ? `${(100 * (1 - best.bound / best.value)).toFixed(1)} %` : 'none';
-    const plan = best ? `<a href="${best.plan}">${best.value.toFixed(3)}</a>` : 'none yet';
+    const value = (number) => number.toFixed(track === 'GTSP' ? 0 : 3);
+    const plan = best ? `<a href="${best.plan}">${value(best.value)}</a>` : 'none yet';
     const instance = file.startsWith('..') ? name : `<a href="${file}">${name}</a>`;
-    return row([instance, size, plan, best?.bound?.toFixed(3) ?? 'none', best ? gap : '', escaped(best?.by ?? ''), escaped(licence)]);
+    return row([instance, size, plan, best?.bound ? value(best.bound) : 'none', best ? gap : '', escaped(best?.by ?? ''), escaped(licence)]);
   });
   const head = ['instance', 'size', 'best known', 'lower bound', 'gap', 'found by', 'licence'].map((h) => `<th>${h}</th>`).join('');
   return `<h2 id="${track}">${track}</h2>\n<p>${title}.</p>\n<table><thead><tr>${head}</tr></thead><tbody>${rows.join('\n')}</tbody></table>`;
@@ -61,6 +62,7 @@ body { font: 16px/1.5 system-ui, sans-serif; max-width: 72rem; margin: 2rem auto
 table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; display: block; overflow-x: auto }
 th, td { text-align: left; padding: .3rem .8rem .3rem 0; border-bottom: 1px solid var(--line); white-space: nowrap }
 th { color: var(--muted); font-weight: 500 }
+:is(th, td):is(:nth-child(2), :nth-child(3), :nth-child(4), :nth-child(5)) { text-align: right }
 figure { display: inline-block; margin: 0 1rem 1rem 0; width: min(460px, 100%) }
 svg text { font: 12px system-ui, sans-serif; fill: var(--muted) }
 svg .grid { stroke: var(--line) } svg .line { fill: none; stroke-width: 2 }
@@ -68,8 +70,8 @@ svg .value { stroke: #2f7ed8 } svg .bound { stroke: #d8662f; stroke-dasharray: 5
 svg text[class] { stroke: none }
 </style>
 <h1>A benchmark of cutting paths</h1>
-<p>Frozen instances, the best plans known for them, and one checker: <a href="README.md">README.md</a> has the rules, <a href="check.py">check.py</a>
-decides, <a href="instances.json">instances.json</a> has checksums and licences.</p>
+<p>Frozen instances, the best plans known for them, and one checker: <a href="README.md">README.md</a> explains the rules, <a href="rules.py">rules.py</a>
+decides by them, <a href="check.py">check.py</a> is its command, and <a href="instances.json">instances.json</a> has checksums and licences.</p>
 ${body}
 </html>
 `;

@@ -10,21 +10,25 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from check import Arc, Contour
+from rules import Arc, Contour
 
 NEAR = 0.05  # mm: how far the ends in the program may be from those of the contour; version 0.0.19 ends a closed one up to 0.02 mm away
 SECONDS = 120  # how long it may take for one drawing
 
 
+def xy(point):
+    return point.real, point.imag
+
+
 def outline(contour):
     """The data of an SVG path, with y upwards; an arc in halves, so that a whole turn has two ends."""
-    out = ["M%.17g %.17g" % tuple(contour.start)]
+    out = ["M%.17g %.17g" % xy(contour.start)]
     for part in contour.parts:
         if isinstance(part, Arc):
             large, sweep = int(part.sweep / 2 > math.pi), int(part.sign > 0)
-            out += ["A%.17g %.17g 0 %d %d %.17g %.17g" % (part.radius, part.radius, large, sweep, *to) for to in (part.at(0.5), part.end)]
+            out += ["A%.17g %.17g 0 %d %d %.17g %.17g" % (part.radius, part.radius, large, sweep, *xy(to)) for to in (part.at(0.5), part.end)]
         else:
-            out.append("L%.17g %.17g" % tuple(part.end))
+            out.append("L%.17g %.17g" % xy(part.end))
     return "".join(out)
 
 
@@ -36,9 +40,8 @@ def box(contours):
         for part in contour.parts:
             points.append(part.end)
             if isinstance(part, Arc):
-                (x, y), r = part.center, part.radius
-                points += [part.at(part.nearest(p)) for p in ((x - r, y), (x + r, y), (x, y - r), (x, y + r))]
-    return [(least(p[0] for p in points), least(p[1] for p in points)) for least in (min, max)]
+                points += [part.at(part.nearest(part.center + part.radius * way)) for way in (1, -1, 1j, -1j)]
+    return [(least(p.real for p in points), least(p.imag for p in points)) for least in (min, max)]
 
 
 def drawing(contours):
@@ -75,8 +78,9 @@ def visits(contours, program):
     ends = {}
     square = lambda p: (math.floor(p[0] / NEAR), math.floor(p[1] / NEAR))  # noqa: E731
     for k, contour in enumerate(contours):
-        last = contour.start if contour.closed else contour.parts[-1].end
-        for backwards, first, end in ((False, contour.start, last), (True, last, contour.start)):
+        start = xy(contour.start)
+        last = start if contour.closed else xy(contour.end)
+        for backwards, first, end in ((False, start, last), (True, last, start)):
             ends.setdefault(square(first), []).append((k, backwards, first, end))
     order, uncut = [], set(range(len(contours)))
     for *points, length in stretches(program):
@@ -116,7 +120,6 @@ def order(instance, depths, command="svg2gcode"):
                 options += ["--optimize-path-order", "true", f"--starting-point={here[0] - left!r},{here[1] - low!r}"]
             run = subprocess.run([command, *options, str(file)], capture_output=True, text=True, timeout=SECONDS, check=True)
             for k, backwards in visits(layer, run.stdout):
-                last = layer[k].parts[-1].end
-                here = layer[k].start if layer[k].closed or backwards else last
+                here = xy(layer[k].start if layer[k].closed or backwards else layer[k].end)
                 done.append((own[k], backwards))
     return done

@@ -9,23 +9,10 @@ import { describe, it } from 'node:test';
 import { gunzipSync } from 'node:zlib';
 import { generated } from '../../benchmark/generate.mjs';
 import { HERE, instances, listed } from '../../benchmark/instances.mjs';
-import { isPossible } from '../../benchmark/keep.mjs';
+import { isPossible, keep } from '../../benchmark/keep.mjs';
 import { plot } from '../../benchmark/plot.mjs';
 import { solved } from '../../benchmark/solve.mjs';
-
-const python = spawnSync('python3', ['--version']).status === 0;
-const NEEDS_PYTHON = { skip: !python && 'there is no Python' };
-
-/** What the checker says to a plan for an instance of the benchmark, or for one in a file. */
-function checked(t, instance, plan) {
-  const folder = mkdtempSync(join(tmpdir(), 'kerfway-'));
-  t.after(() => rmSync(folder, { recursive: true }));
-  writeFileSync(join(folder, 'plan.json'), typeof plan === 'string' ? plan : JSON.stringify(plan));
-  const named = typeof instance === 'string' ? ['--instance', instance] : [join(folder, 'instance.json')];
-  if (typeof instance !== 'string') writeFileSync(join(folder, 'instance.json'), JSON.stringify(instance));
-  const { stdout, status } = spawnSync('python3', [join(HERE, 'check.py'), ...named, join(folder, 'plan.json')], { encoding: 'utf8' });
-  return { text: stdout.trim(), status };
-}
+import { along, checked, NEEDS_PYTHON, pierce } from './reference-checker.mjs';
 
 const best = (name) => {
   const { best: found } = listed().instances.find((e) => e.name === name);
@@ -70,8 +57,6 @@ const TOUCHING = {
   ...{ home: [0, 0], closed: false, cost: { unit: 'mm', pierce: 5 } },
   contours: [[0, 0, 10, 0], [10, 0, 10, 10]].map(([x, y, u, v]) => ({ start: [x, y], closed: false, inside: null, path: [{ line: [u, v] }] })),
 };
-const along = (...points) => ({ kind: 'cut', path: points.map((line) => ({ line })) });
-const pierce = { kind: 'pierce' };
 
 function longest(plan) {
   return cuts(plan).find((k) => plan.moves[k].path.length > 2);
@@ -248,4 +233,8 @@ it('names of instances that there are not are refused, where nothing was done an
 
 it('a plan could bring a lower bound above the best value into the list', () => {
   assert.deepEqual([99, 100, 101, '99', null, undefined, NaN].map((bound) => isPossible(bound, 100)), [true, true, false, false, false, false, false]);
+});
+
+it('a folder without plans has nothing to keep, and the command says so', () => {
+  assert.throws(() => keep('/no/such/folder'), /No plan in \/no\/such\/folder is named after an instance/);
 });
