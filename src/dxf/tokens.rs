@@ -24,11 +24,18 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// The next tag; `None` at the end of the file.
+    /// The next tag that is not a comment; `None` at the end of the file.
     pub(super) fn next(&mut self) -> Option<Tag<'a>> {
-        match self {
-            Self::Ascii(t) => t.next(),
-            Self::Binary(t) => t.next(),
+        const COMMENT: i32 = 999;
+        loop {
+            let tag = match self {
+                Self::Ascii(t) => t.next(),
+                Self::Binary(t) => t.next(),
+            }?;
+            // A comment after a break is kept, because it carries the break to its entity.
+            if tag.code != COMMENT || tag.after_break {
+                return Some(tag);
+            }
         }
     }
 

@@ -8,7 +8,7 @@
 use super::ids::NodeId;
 use super::model::{Item, Node};
 use super::starts::Start;
-use crate::geometry::{DVec2, Segment};
+use crate::geometry::{Aabb, BoxIndex, DVec2, Segment};
 use crate::machine::{AirTime, Profile, cut_time};
 use crate::order::{real, sort_by};
 use crate::sheet::Sheet;
@@ -36,6 +36,7 @@ pub(super) fn skeleton_starts(
         c.path.segments.first().filter(|s| once && matches!(s, Segment::Line(_))).map(|line| (id, *line))
     });
     let cuts: Vec<(u32, Segment)> = cuts.collect();
+    let index = BoxIndex::new(cuts.iter().map(|(_, line)| line.bounds()));
     let edge = sheet.edge().map(|path| path.segments.as_slice()).unwrap_or_default();
     let on_edge = |at: DVec2| edge.iter().any(|s| s.nearest(at).1.sqrt() <= SAME);
     let air = AirTime::new(machine);
@@ -49,7 +50,9 @@ pub(super) fn skeleton_starts(
                 continue;
             }
             let mut own: Vec<Start> = Vec::new();
-            for &(other, across) in cuts.iter().filter(|c| c.0 != id) {
+            let area = Aabb::of(entry).with(exit).grown(4.0 * SAME);
+            let near = index.query(area).into_iter().filter_map(|i| cuts.get(i).copied());
+            for (other, across) in near.filter(|c| c.0 != id) {
                 let Some(from) = crossing([entry, exit], &across) else { continue };
                 let kerf = Some(other);
                 if from.distance(entry) <= SAME {

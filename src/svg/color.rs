@@ -43,11 +43,13 @@ impl Rgb {
 
 /// A colour and whether anything of it is visible; `None` if the text is no colour.
 pub(super) fn read(text: &str) -> Option<(Rgb, bool)> {
+    // SVG 1.1 allows the same colour in a profile after it, as Inkscape writes it.
+    let text = text.split_once("icc-color(").map_or(text, |(color, _)| color.trim_end());
     if let Some(digits) = text.strip_prefix('#') {
         return hexadecimal(digits);
     }
     if let Some((function, arguments)) = text.split_once('(') {
-        return from_function(function.trim(), arguments);
+        return from_function(&function.trim().to_ascii_lowercase(), arguments);
     }
     if text.eq_ignore_ascii_case("transparent") {
         return Some((Rgb::BLACK, false));
@@ -134,6 +136,9 @@ mod tests {
             "rgba(255, 0, 0, 0.5)",
             "hsl(0, 100%, 50%)",
             "hsl(0deg 100% 50% / 1)",
+            "RGB(255, 0, 0)",
+            "#ff0000 icc-color(sRGB, 1, 0, 0)",
+            "red icc-color(sRGB, 1, 0, 0)",
         ] {
             assert_eq!(hex(text), Some(("#ff0000".to_owned(), true)), "{text}");
         }

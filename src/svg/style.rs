@@ -19,6 +19,8 @@ pub(super) enum Paint {
     Other,
     /// A pattern, whose own lines are not read.
     Pattern,
+    /// The colour that the property `color` has where it is painted.
+    Current,
 }
 
 /// The inherited style of an element.
@@ -50,20 +52,26 @@ impl Style {
 
     /// The stroke, if anything of it is visible.
     pub(super) fn visible_stroke(&self) -> Paint {
-        if self.stroke_opaque { self.stroke } else { Paint::None }
+        if self.stroke_opaque { self.with_color(self.stroke) } else { Paint::None }
     }
 
     /// The fill, if anything of it is visible.
     pub(super) fn visible_fill(&self) -> Paint {
-        if self.fill_opaque { self.fill } else { Paint::None }
+        if self.fill_opaque { self.with_color(self.fill) } else { Paint::None }
+    }
+
+    fn with_color(&self, paint: Paint) -> Paint {
+        if paint == Paint::Current { Paint::Color(self.color) } else { paint }
     }
 }
 
 /// What an element sets for itself only.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Own {
-    /// Whether it and everything in it is not drawn.
-    pub(super) gone: bool,
+    /// Whether it and everything in it is not displayed.
+    pub(super) undisplayed: bool,
+    /// Whether it and everything in it has an opacity of 0.
+    pub(super) transparent: bool,
     /// The value of the property or attribute `transform`.
     pub(super) transform: Option<String>,
     /// The value of `transform-origin`.
@@ -124,9 +132,9 @@ impl Cascade<'_> {
             "color" if inherits => style.color = inherited.color,
             "color" => style.color = color::read(value).map_or(style.color, |c| c.0),
             "visibility" if inherits => style.visible = inherited.visible,
-            "visibility" => style.visible = !matches!(value, "hidden" | "collapse"),
-            "display" => self.own.gone = value == "none",
-            "opacity" => self.own.gone |= is_zero(value),
+            "visibility" => style.visible = !(is(value, "hidden") || is(value, "collapse")),
+            "display" => self.own.undisplayed = is(value, "none"),
+            "opacity" => self.own.transparent = is_zero(value),
             "stroke-opacity" => style.stroke_opaque = !is_zero(value),
             "fill-opacity" => style.fill_opaque = !is_zero(value),
             "stroke-width" => {
@@ -136,7 +144,8 @@ impl Cascade<'_> {
             "transform" => self.own.transform = Some(value.to_owned()),
             "transform-origin" => self.own.origin = Some(value.to_owned()),
             "transform-box" => self.own.own_box = !matches!(value, "view-box" | "initial" | "unset"),
-            "clip-path" => self.own.clipped = is_reference,
+            // A reference, or a basic shape such as `circle(5px)`.
+            "clip-path" => self.own.clipped = value.contains('('),
             "mask" => self.own.masked = is_reference,
             "marker" | "marker-start" | "marker-mid" | "marker-end" => self.own.marked |= is_reference,
             _ => {}
@@ -146,8 +155,8 @@ impl Cascade<'_> {
     /// A paint; `None` if the value is none, so that it is ignored.
     fn paint(&self, value: &str) -> Option<Paint> {
         Some(match value {
-            "none" => Paint::None,
-            "currentColor" | "currentcolor" => Paint::Color(self.style.color),
+            _ if is(value, "none") => Paint::None,
+            _ if is(value, "currentColor") => Paint::Current,
             "context-fill" | "context-stroke" => Paint::Other,
             _ => match value.strip_prefix("url(") {
                 Some(reference) => {
@@ -163,6 +172,11 @@ impl Cascade<'_> {
             },
         })
     }
+}
+
+/// Whether a value is this keyword. Upper and lower case mean the same.
+fn is(value: &str, keyword: &str) -> bool {
+    value.eq_ignore_ascii_case(keyword)
 }
 
 fn is_zero(value: &str) -> bool {

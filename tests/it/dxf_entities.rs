@@ -132,6 +132,17 @@ fn face_leaves_out_its_hidden_edges() {
     assert_eq!(two.shapes.len(), 2);
 }
 
+/// Such a face said that its outline is taken, at no place, although nothing of it is.
+#[test]
+fn a_face_with_no_visible_edge_is_not_said_to_be_taken() {
+    let face = "0 3DFACE 8 0 10 1 20 2 11 4 21 0 12 4 22 3 13 0 23 3 70 15";
+    let drawing = entities(&format!("{face} 0 LINE 8 0 10 0 20 0 11 9 21 0"));
+    assert!(drawing.findings.iter().all(|f| f.code != Code::OutlineTaken), "{:?}", drawing.findings);
+    let invalid = found(&drawing, Code::InvalidGeometry);
+    assert_eq!(invalid.message, "3DFACE cannot be cut: all its edges are invisible.");
+    assert_eq!(invalid.at, Some(DVec2::new(1.0, 2.0)));
+}
+
 #[test]
 fn hatch_boundaries_of_both_kinds() {
     let polyline = "0 HATCH 8 0 10 0 20 0 30 0 210 0 220 0 230 1 2 SOLID 70 1 71 0 91 1 92 7 72 1 73 1 93 2 10 0 20 0 42 1 10 10 20 0 42 1 97 0 75 0 76 1 98 1 10 5 20 5";

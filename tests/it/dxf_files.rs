@@ -41,6 +41,16 @@ fn blank_lines_and_comments_between_groups_are_skipped() {
     assert!(drawing.findings.is_empty(), "{:?}", drawing.findings);
 }
 
+/// A comment before the name of a section hid the name, and entities of unknown kinds got no finding.
+#[test]
+fn a_comment_before_the_name_of_a_section_does_not_hide_it() {
+    let text = file("", &format!("{LINE} 0 SPECIAL 8 CUT 10 5 20 6"));
+    let commented = text.replace("SECTION\n", "SECTION\n999\nmade by hand\n");
+    let (plain, read) = (read(&text).unwrap(), read(&commented).unwrap());
+    assert_eq!((&read.shapes, codes(&read)), (&plain.shapes, codes(&plain)));
+    assert!(codes(&read).contains(&Code::UnsupportedEntity));
+}
+
 #[test]
 fn empty_text_is_a_value() {
     let drawing = read(&file("", LINE).replace("8\nCUT\n", "1\n\n8\nCUT\n")).unwrap();

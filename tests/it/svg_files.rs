@@ -419,3 +419,49 @@ fn transforms_are_about_their_origin() {
     }
     assert!(rect("transform-origin=\"here\"").findings.is_empty());
 }
+
+/// `display: inline` after `opacity: 0` showed the shape again, and an opacity of 0 in the attribute held against the
+/// style, which is stronger.
+#[test]
+fn what_is_transparent_is_not_shown_by_its_display() {
+    for (style, drawn) in [
+        ("style=\"opacity:0;display:inline\"", false),
+        ("style=\"display:None;opacity:1\"", false),
+        ("opacity=\"0\" style=\"opacity:1\"", true),
+        ("display=\"none\" style=\"display:inline\"", true),
+    ] {
+        let drawing =
+            page(&format!("<path d=\"M0 0h1\" stroke=\"red\"/><path d=\"M0 9h5\" stroke=\"red\" {style}/>"));
+        assert_eq!(drawing.shapes.len(), 1 + usize::from(drawn), "{style}");
+        let hidden = drawing.findings.iter().any(|f| f.code == Code::HiddenEntity);
+        assert_eq!(hidden, !drawn, "{style}");
+    }
+}
+
+/// Lines in a colour profile of Inkscape, and in colours whose function is written in capital letters, were left out as
+/// invisible.
+#[test]
+fn no_line_is_lost_by_the_way_its_colour_is_written() {
+    for (style, layer) in [
+        ("style=\"fill:none;stroke:#ff0000 icc-color(sRGB, 1, 0, 0)\"", "#ff0000"),
+        ("fill=\"none\" stroke=\"RGB(255, 0, 0)\"", "#ff0000"),
+        ("fill=\"NONE\" stroke=\"currentColor\" color=\"blue\"", "#0000ff"),
+        ("style=\"stroke:currentcolor;color:blue;fill:none\"", "#0000ff"),
+    ] {
+        let drawing =
+            page(&format!("<g color=\"lime\" stroke=\"lime\"><rect width=\"9\" height=\"9\" {style}/></g>"));
+        assert_eq!(layers(&drawing), [layer], "{style}");
+    }
+    // The colour of a shape, not of the group in which the stroke is said.
+    let inherited = page("<g stroke=\"currentColor\"><path d=\"M0 0h9\" color=\"red\"/></g>");
+    assert_eq!(layers(&inherited), ["#ff0000"]);
+}
+
+/// A basic shape as a clip path was no finding.
+#[test]
+fn a_clip_path_without_a_reference_is_a_finding() {
+    let drawing = page("<rect width=\"20\" height=\"20\" stroke=\"red\" style=\"clip-path:circle(5px)\"/>");
+    assert!(drawing.findings.iter().any(|f| f.message.starts_with("1 object is clipped")));
+    let drawing = page("<rect width=\"20\" height=\"20\" stroke=\"red\" clip-path=\"none\"/>");
+    assert!(drawing.findings.iter().all(|f| f.code != Code::UnsupportedEntity), "{:?}", drawing.findings);
+}

@@ -56,5 +56,8 @@ fn outline<'a>(corners: [Option<DVec3>; 4], hidden: i64) -> Geometry<'a> {
             open = Vec::new();
         }
     }
+    if chains.is_empty() {
+        return Geometry::Invalid("all its edges are invisible", place);
+    }
     Geometry::Polylines3d(chains)
 }

@@ -177,7 +177,7 @@ impl<'w, 'a> Walker<'w, 'a> {
                 }
             }
         }
-        let hidden = place.hidden.or(own.gone.then_some(Hidden::Gone));
+        let hidden = place.hidden.or((own.undisplayed || own.transparent).then_some(Hidden::Gone));
         (Place { map, style, hidden, ..*place }, own)
     }
 
