@@ -32,7 +32,7 @@ const FARTHEST: f64 = 2_147_483_647.0;
 /// The Ruida file of a plan.
 ///
 /// # Errors
-/// The plan cuts in too many ways, too far from the origin, or at several heights, it waits, or it lifts the head.
+/// The plan cuts in too many ways, too far from the origin, or at several heights, or it waits.
 pub fn rd(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> Result<Vec<u8>, OutputError> {
     let cuts = cuts(plan);
     if cuts.iter().any(|c| c.z < 0.0) {
@@ -44,12 +44,6 @@ pub fn rd(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> Result<Vec<u8>,
     if plan.summary.waits > 0 {
         return Err(OutputError::Format(
             "Ruida files of Kerfway have no waits: give near cuts a charge in the machine's levers.heat, or write G-code."
-                .to_owned(),
-        ));
-    }
-    if plan.summary.lifts + plan.summary.detours > 0 {
-        return Err(OutputError::Format(
-            "Ruida files of Kerfway move the head straight and never lift it: leave out the machine's lift and the pieces that may tip, or write G-code."
                 .to_owned(),
         ));
     }
