@@ -6,8 +6,8 @@
 //! become chords within [`CHORD_DEVIATION`]. Each way of cutting is a *part* with a block of settings, which is repeated
 //! whenever the way changes, so marks and cuts alternate as planned. Every pass is cut on its own.
 //!
-//! The piercing time is left to the controller. Moves of the head's height are not part of the files, so plans with them are
-//! refused.
+//! The piercing time is left to the controller. Heights are not part of the files, so plans that lower the head for a pass are
+//! refused. Lifts between cuts and ways around tipped pieces are left out.
 //!
 //! Sources: "Ruida", EduTech Wiki, University of Geneva (edutechwiki.unige.ch/en/Ruida); the reader of MeerK40t (MIT),
 //! `meerk40t/ruida/rdjob.py`.

@@ -37,6 +37,9 @@ pub struct ContourFacts {
     pub closed: bool,
     /// Length of its line, mm.
     pub length: f64,
+    /// Where the passes of the sheet follow each other: the contour of which this is a pass, the number of the pass, and of all passes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pass: Option<[u32; 3]>,
 }
 
 impl SheetFacts {
@@ -47,11 +50,12 @@ impl SheetFacts {
             color: layer.color,
             settings: layer.settings,
         });
-        let contours = sheet.contours.iter().map(|contour| ContourFacts {
+        let contours = (0..).zip(&sheet.contours).map(|(id, contour)| ContourFacts {
             layer: contour.layer,
             mark: contour.is_mark(),
             closed: contour.path.closed,
             length: contour.path.length(),
+            pass: pass_of(sheet, id),
         });
         Self { layers: layers.collect(), contours: contours.collect() }
     }
@@ -65,6 +69,14 @@ impl SheetFacts {
         self.contour(contour).and_then(|c| self.layers.get(c.layer as usize))
     }
 
+    /// What people call a contour: its number, and which of its passes it is.
+    pub(super) fn called(&self, contour: u32) -> String {
+        match self.contour(contour).and_then(|c| c.pass) {
+            Some([of, pass, passes]) => format!("{of}, pass {pass}/{passes}"),
+            None => contour.to_string(),
+        }
+    }
+
     /// The name of a contour's layer; empty when the sheet does not know the contour.
     pub(super) fn layer_name(&self, contour: u32) -> &str {
         self.layer(contour).map_or("", |layer| layer.name.as_str())
@@ -75,4 +87,12 @@ impl SheetFacts {
         let process = machine.process(self.contour(contour).is_some_and(|c| c.mark));
         self.layer(contour).map_or(*process, |layer| layer.settings.over(process))
     }
+}
+
+/// The contour of which this is a pass, the number of the pass, and of all passes; `None` where there is one.
+fn pass_of(sheet: &Sheet, id: u32) -> Option<[u32; 3]> {
+    let by_id = |id: &u32| sheet.contours.get(*id as usize);
+    let last = std::iter::successors(Some(id), |id| by_id(id)?.next_pass).last()?;
+    let [pass, passes] = [by_id(&id)?.pass, by_id(&last)?.pass].map(|n| n + 1);
+    (passes > 1).then_some([last, pass, passes])
 }

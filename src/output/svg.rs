@@ -95,7 +95,8 @@ fn contours(out: &mut String, plan: &Plan, sheet: &SheetFacts) {
         }
         let end = if closes(sheet, cut) { "Z" } else { "" };
         let (order, layer) = (order + 1, Escaped(sheet.layer_name(contour)));
-        let _ = writeln!(out, "{end}\"><title>{order}: contour {contour}, layer {layer}</title></path>");
+        let called = sheet.called(contour);
+        let _ = writeln!(out, "{end}\"><title>{order}: contour {called}, layer {layer}</title></path>");
     }
 }
 

@@ -4,7 +4,7 @@
 use crate::testkit::dxf_text::{Entity, Scene};
 use kerfway::finding::{Code, Finding, Severity};
 use kerfway::geometry::DVec2;
-use kerfway::job::{Job, JobError, LoadOptions, OutputKind, PlanOptions};
+use kerfway::job::{Job, JobError, LayerChoice, LoadOptions, OutputKind, PlanOptions};
 use kerfway::plan::{self, Move, Plan, Violation};
 use kerfway::sheet::{Contour, Operation};
 
@@ -154,4 +154,26 @@ fn skipping_unknown_or_all_contours_is_refused_in_a_sentence() {
     assert_eq!(told, "Contour 8 is listed in the options, but there are only 8 contours, counted from 0.");
     let mut none = job(&entities(), &(0..8).collect::<Vec<_>>());
     assert!(matches!(none.start(&PlanOptions::default()), Err(JobError::NothingToCut(_))));
+}
+
+/// The search looked for a way to the skipped square, which has no place to go to, and broke down: an open line in two passes is
+/// entered and left at one end, so that all costs are in a table.
+#[test]
+fn open_lines_in_two_passes_beside_a_skipped_square_are_planned() {
+    let line = |x, y| Entity::Line(DVec2::new(x, y), DVec2::new(x + 20.0, y + 5.0));
+    let mut all = [(0.0, 0.0), (40.0, 0.0), (0.0, 30.0), (40.0, 30.0)].map(|(x, y)| line(x, y)).to_vec();
+    all.push(square(100.0, 0.0, 10.0));
+    let entities = all.into_iter().map(|e| (e, "CUT".into())).collect();
+    let dxf = Scene { entities, units: 4 }.dxf().into_bytes();
+    let layer = LayerChoice { passes: Some(2), ..LayerChoice::new("CUT", Operation::Cut) };
+    let load = |exclude: Vec<u32>| {
+        let options = LoadOptions { exclude, layers: vec![layer.clone()], ..LoadOptions::default() };
+        Job::load(dxf.clone(), "a.dxf", &options).unwrap()
+    };
+    let closed = load(Vec::new()).sheet().contours.iter().position(|c| c.path.closed).unwrap();
+    let (_, plan) = planned(load(vec![u32::try_from(closed).unwrap()]));
+    let mut lines = order(&plan);
+    lines.sort_unstable();
+    lines.dedup();
+    assert_eq!(lines.len(), 4);
 }

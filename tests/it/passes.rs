@@ -379,3 +379,24 @@ fn layers_that_are_faster_than_the_machine_or_without_power_are_not_written() {
         lower the speed of the layer, or raise the rapids of the machine."
     );
 }
+
+/// The report called a pass `0 (1/2)`, and programs and pictures by an id of its own, which no drawing has.
+#[test]
+fn programs_and_pictures_name_a_pass_by_its_contour() {
+    let layers = vec![layer("INNER", |l| l.passes = Some(2))];
+    let job = planned(layers, PassOrder::Sheet, machine());
+    let id = job.sheet().contours.iter().position(|c| c.path.length() < 100.0 && c.path.closed).unwrap();
+    for kind in [OutputKind::Gcode, OutputKind::Svg] {
+        let text = job.output(kind).unwrap();
+        for pass in 1..=2 {
+            let name = format!("contour {id}, pass {pass}/2, layer INNER");
+            assert_eq!(text.matches(&name).count(), 1, "{kind:?}: {name}: {text}");
+        }
+        assert_eq!(text.matches("layer INNER").count(), 2, "{kind:?}");
+        assert!(!text.contains("contour 3"), "{kind:?}: {text}");
+    }
+    // With all passes of a contour at once there is one cut for each, and no number of a pass.
+    let layers = vec![layer("INNER", |l| l.passes = Some(2))];
+    let program = planned(layers, PassOrder::Contour, machine()).output(OutputKind::Gcode).unwrap();
+    assert!(!program.contains("pass "), "{program}");
+}

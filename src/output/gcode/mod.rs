@@ -201,7 +201,8 @@ impl<'d> Writer<'d> {
                         order += 1;
                         let layer = sheet.layer_name(*contour);
                         let verb = if *mark { "mark" } else { "cut" };
-                        let words = format!("{order} of {all}: {verb} contour {contour}, layer ");
+                        let called = sheet.called(*contour);
+                        let words = format!("{order} of {all}: {verb} contour {called}, layer ");
                         self.pen.lines.comment_naming(&words, layer);
                     }
                     let process = CutProcess::new(&sheet.process(*contour, self.profile), height);

@@ -4,7 +4,6 @@
 //! count as the contour's. Here every joint is checked for its length, its distance from corners and other cuts, and for
 //! overcuts that run over it (`joint_room.rs`).
 
-use super::groups::Groups;
 use super::joint_room::{LENGTH, Made, On, Others, corners, length_of};
 use super::lead_rules::rule as lead_rule;
 use super::tolerance::SAME;
@@ -13,6 +12,7 @@ use crate::geometry::{DVec2, Path, Segment};
 use crate::machine::{JointRule, LeadSide, Profile};
 use crate::plan::model::{Move, Plan};
 use crate::sheet::{Operation, Sheet};
+use rustc_hash::FxHashSet;
 use std::borrow::Cow;
 
 /// The rule for the joints of a contour, and whether a person placed them; `None` if nothing asks for joints.
@@ -89,13 +89,7 @@ struct Work {
     begins: f64,
 }
 
-pub(super) fn check(
-    sheet: &Sheet,
-    machine: &Profile,
-    plan: &Plan,
-    groups: &Groups,
-    found: &mut Vec<Violation>,
-) {
+pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
     let any = plan.moves.iter().any(|m| matches!(m, Move::Joint { .. }));
     if machine.joints.is_none() && sheet.joints.is_empty() && sheet.choices.is_empty() && !any {
         return;
@@ -122,11 +116,14 @@ pub(super) fn check(
         }
     }
     let others = Others::new(sheet);
+    // What may be cut as one has no joints, whether the plan cuts it as one or contour by contour.
+    let groups = sheet.cut_as_one(machine.cuts_as_one());
+    let grouped: FxHashSet<u32> = groups.iter().flat_map(|g| &g.contours).copied().collect();
     // Number of joints, and of those among them that may be gaps of overcuts instead.
     let (mut count, mut either) = (0_u32, 0_u32);
     for (id, (contour, mut work)) in (0..).zip(sheet.contours.iter().zip(work)) {
         let Some((step, _)) = work.first else { continue };
-        let asked = asked(sheet, machine, id).filter(|_| !groups.holds(id));
+        let asked = asked(sheet, machine, id).filter(|_| !grouped.contains(&id));
         let Some((rule, by_hand)) = asked else {
             if let Some(joint) = work.joints.first() {
                 let at = joint.path.first().map(Segment::start).unwrap_or_default();

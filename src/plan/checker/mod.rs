@@ -85,7 +85,7 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     bridges::check(sheet, machine, plan, &mut found);
     bridge_cuts::check(sheet, machine, &visits, &mut found);
     moving::check(sheet, machine, plan, &flown, &mut found);
-    joints::check(sheet, machine, plan, &groups, &mut found);
+    joints::check(sheet, machine, plan, &mut found);
     skeleton::check(sheet, machine, plan, &mut found);
     tips::check(sheet, machine, plan, &mut found);
     heat::check(sheet, machine, as_planned, &mut found);

@@ -203,8 +203,9 @@ fn gap_on(space: &Space) -> f64 {
 /// nearest of those that lie nearer to the place than to any item before them in the list, as far as there are such.
 fn nearest_by_table(space: &Space, item: u32, place: Place, back: bool) -> Vec<(f64, u32)> {
     let others = (0..=space.home).filter(|&other| other != item);
-    let mut others: Vec<(f64, u32)> =
-        others.map(|other| (space.at_least(place, other, back), other)).collect();
+    let priced = others.map(|other| (space.at_least(place, other, back), other));
+    // What is not worked, such as an ignored border, has no place to go to.
+    let mut others: Vec<(f64, u32)> = priced.filter(|n| n.0.is_finite()).collect();
     let by_cost = |n: &(f64, u32)| [real(n.0), n.1.into(), 0];
     sort_by(&mut others, by_cost);
     let mut taken = PER_GATE - APART;

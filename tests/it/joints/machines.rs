@@ -1,11 +1,14 @@
 //! Joints together with what else a machine can do: levers, pre-cuts, and the seconds of a quote.
 
+use crate::testkit::dxf_text::{Entity, Scene};
 use crate::testkit::exact::planned;
 use crate::testkit::joints::{rule, with_joints};
 use crate::testkit::leads::oriented;
 use crate::testkit::sheets::{Builder, circle, machine, p, rectangle};
+use kerfway::geometry::DVec2;
+use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions};
 use kerfway::joint::{Planner, Refusal};
-use kerfway::machine::{JointKind, JointRule, LeadSide, Levers, MovingPierce, Profile};
+use kerfway::machine::{JointKind, JointRule, LeadSide, Levers, MovingPierce, Profile, SharedCuts};
 use kerfway::plan::{self, Move, Violation};
 use kerfway::sheet::Sheet;
 
@@ -66,4 +69,30 @@ fn pierce_groups_have_no_joints_and_what_has_is_not_left_unfinished() {
     let plan = planned(&sheet, &machine);
     assert_eq!(plan::check(&sheet, &machine, &plan), Ok(()));
     assert!(!plan.moves.iter().any(|m| matches!(m, Move::PreCut { contour: 2, .. })));
+}
+
+/// Contours that share cuts have no joints, also where each of them is cut by itself because that is quicker. The plan was refused there.
+#[test]
+fn contours_that_share_cuts_and_are_cut_one_by_one_pass_without_joints() {
+    let lines = [
+        [7.0, 3.0, 7.0, -3.0],
+        [7.0, 3.0, 11.0, -1.0],
+        [7.0, 0.0, 11.5, 0.0],
+        [7.0, -3.0, 10.0, -3.0],
+        [10.0, -3.0, 12.0, -5.0],
+        [8.5, -1.5, 10.0, -3.0],
+    ];
+    let line = |[a, b, c, d]: [f64; 4]| Entity::Line(DVec2::new(a, b) * 25.4, DVec2::new(c, d) * 25.4);
+    let entities = lines.map(|l| (line(l), "CUT".into())).to_vec();
+    let mut job =
+        Job::load(Scene { entities, units: 4 }.dxf().into_bytes(), "a.dxf", &LoadOptions::default()).unwrap();
+    let levers = Levers { common_cuts: Some(SharedCuts::default()), ..Levers::default() };
+    let rule = JointRule { spacing: Some(20.0), ..rule(1, JointKind::Stop) };
+    let machine = with_joints(Profile { levers, bed: None, ..machine("co2-100w") }, vec![rule]);
+    let machine = MachineChoice::Profile(Box::new(machine));
+    job.start(&PlanOptions { machine, seed: 1, moves: Some(1000), ..PlanOptions::default() }).unwrap();
+    job.run_mut().unwrap().step(1000);
+    let plan = job.plan().unwrap();
+    let is_shared = |m: &Move| matches!(m, Move::Cut { with, .. } if !with.is_empty());
+    assert!(plan.summary.joints == 0 && !plan.moves.iter().any(is_shared), "{:?}", plan.moves);
 }
