@@ -6,8 +6,8 @@
 //! become chords within [`CHORD_DEVIATION`]. Each way of cutting is a *part* with a block of settings, which is repeated
 //! whenever the way changes, so marks and cuts alternate as planned. Every pass is cut on its own.
 //!
-//! The piercing time is left to the controller. Heights are not part of the files, so plans that lower the head for a pass are
-//! refused. Lifts between cuts and ways around tipped pieces are left out.
+//! The piercing time is left to the controller. Heights and ways around tipped pieces are not part of the files, so plans that
+//! lower the head for a pass, lift it between cuts or lead it around are refused.
 //!
 //! Sources: "Ruida", EduTech Wiki, University of Geneva (edutechwiki.unige.ch/en/Ruida); the reader of MeerK40t (MIT),
 //! `meerk40t/ruida/rdjob.py`.
@@ -32,7 +32,7 @@ const FARTHEST: f64 = 2_147_483_647.0;
 /// The Ruida file of a plan.
 ///
 /// # Errors
-/// The plan cuts in too many ways, too far from the origin, or at several heights, or it waits.
+/// The plan cuts in too many ways, too far from the origin, or at several heights, it waits, or it lifts the head.
 pub fn rd(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> Result<Vec<u8>, OutputError> {
     let cuts = cuts(plan);
     if cuts.iter().any(|c| c.z < 0.0) {
@@ -44,6 +44,12 @@ pub fn rd(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> Result<Vec<u8>,
     if plan.summary.waits > 0 {
         return Err(OutputError::Format(
             "Ruida files of Kerfway have no waits: give near cuts a charge in the machine's levers.heat, or write G-code."
+                .to_owned(),
+        ));
+    }
+    if plan.summary.lifts + plan.summary.detours > 0 {
+        return Err(OutputError::Format(
+            "Ruida files of Kerfway move the head straight and never lift it: leave out the machine's lift and the pieces that may tip, or write G-code."
                 .to_owned(),
         ));
     }

@@ -244,6 +244,20 @@ fn lightburn_shows_that_the_lift_is_not_in_the_project() {
     assert_eq!((notes(&down), notes(&lifting(&down, UP))), (0, 1));
 }
 
+/// Ruida files have no heights and no ways around tipped pieces. They were written without a word, and the head would have run into
+/// what it was to be lifted over.
+#[test]
+fn ruida_files_refuse_plans_that_lift_the_head() {
+    let (sheet, down) = (small(), machine("fibre-3kw-thin"));
+    let written = |machine: &Profile| output::rd(&planned(&sheet, machine), &SheetFacts::of(&sheet), machine);
+    assert!(written(&down).is_ok());
+    let refused = written(&lifting(&down, UP)).unwrap_err().to_string();
+    assert!(
+        refused.starts_with("Ruida files of Kerfway move the head straight and never lift it: "),
+        "{refused}"
+    );
+}
+
 /// A lowered pass is left at the height of the first, and the lift counts from there.
 #[test]
 fn deep_passes_and_joints_go_with_a_lift() {
