@@ -20,6 +20,7 @@ mod links;
 mod model;
 mod pierce_groups;
 mod seconds;
+mod single;
 mod skeleton_starts;
 mod starts;
 mod sub_path;
