@@ -1,4 +1,11 @@
-//! The machine: its data ([`Profile`]), and the times that follow from it ([`air_time`], [`cut_time`]).
+//! The machine: its data ([`Profile`]), and the times that follow from it.
+//!
+//! A profile says how fast the head moves and cuts, what piercing takes, which leads, joints and skeleton cuts there are, and
+//! which [`Levers`] save time. [`presets`] has typical machines. A profile from outside is read by the table of its fields
+//! (`profile_fields.rs`) and checked by [`Profile::validate`].
+//!
+//! [`air_time`] is the time of a move with the beam off (`motion.rs`), and [`cut_time`] that of a cut, which slows down in
+//! corners (`lookahead.rs`). [`ClosedRun`] says what a closed cut takes from each place of entry.
 
 mod arc;
 mod bed;
