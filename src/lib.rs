@@ -1,21 +1,21 @@
-//! Kerfway plans the path of a laser cutter: it reads a DXF drawing and finds the order, entry points and directions in
-//! which the machine cuts the sheet in the least time.
+//! Kerfway plans the path of a laser cutter: it reads a DXF or SVG drawing and finds the order, entry points and directions
+//! in which the machine cuts the sheet in the least time.
 //!
 //! # The flow
 //!
 //! ```text
-//! DXF bytes -> drawing -> contours, parts -> problem -> search -> plan -> output, quote
-//!              dxf        sheet              problem    solve     plan    output  quote
+//! bytes -> drawing -> contours, parts -> problem -> search -> plan -> output, quote
+//!          dxf, svg   sheet              problem    solve     plan    output  quote
 //! ```
 //!
-//! 1. [`dxf`] reads a file into a drawing: lines and arcs in millimetres. Everything unusual in the file becomes a
-//!    [`finding`].
+//! 1. [`dxf`] or [`svg`] reads a file into a [`drawing`]: lines and arcs in millimetres. Everything unusual in the file
+//!    becomes a [`finding`].
 //! 2. [`sheet`] joins the elements to contours, removes duplicates, finds which contour lies inside which, and offsets the
 //!    cuts by half the kerf.
 //! 3. [`problem`] states what a search works on: items with entry nodes, travel times on a [`machine`], and precedence.
 //! 4. [`solve`] searches for the fastest path. Every method implements [`solve::Solver`].
 //! 5. [`plan`] converts a path to moves with times, and checks them with code that is independent of the search.
-//! 6. [`output`] writes G-code, SVG, DXF and JSON; [`quote`] reports what a price depends on.
+//! 6. [`output`] writes programs for machines, drawings and the plan itself; [`quote`] reports what a price depends on.
 //!
 //! Before the problem is stated, [`lead`], [`joint`], [`corner`], [`tipping`] and [`heat`] decide about single contours and pieces, and
 //! [`calibration`] fits a machine to times that were measured.

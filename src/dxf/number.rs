@@ -74,10 +74,10 @@ mod tests {
             let expected = text.parse::<f64>().ok().filter(|v| v.is_finite());
             assert_eq!(real(text.as_bytes()).map(f64::to_bits), expected.map(f64::to_bits), "{text}");
         };
-        let mut dice = 1_u64;
+        let mut rng = 1_u64;
         let mut roll = || {
-            dice = dice.wrapping_mul(0x5851_F42D_4C95_7F2D).wrapping_add(0x1405_7B7E_F767_814F);
-            dice >> 11
+            rng = rng.wrapping_mul(0x5851_F42D_4C95_7F2D).wrapping_add(0x1405_7B7E_F767_814F);
+            rng >> 11
         };
         for _ in 0..100_000 {
             let (whole, part) = (roll() % 10_u64.pow((roll() % 16) as u32), roll());

@@ -21,6 +21,7 @@ mod option_fields;
 mod options;
 mod outputs;
 mod placement;
+mod plan_options;
 mod problem_of;
 #[cfg(feature = "research")]
 mod proof;
@@ -40,8 +41,9 @@ use crate::output::sha256;
 pub use best_path::BestPath;
 pub use code::ErrorCode;
 pub use error::{ErrorReport, JobError, Param};
-pub use options::{Budget, GroupChoice, LayerChoice, LoadOptions, MachineChoice, PlanOptions};
+pub use options::{GroupChoice, LayerChoice, LoadOptions};
 pub use placement::{Place, Placed};
+pub use plan_options::{Budget, MachineChoice, PlanOptions};
 pub use problem_of::problem_of;
 #[cfg(feature = "research")]
 pub use proof::{CERTIFICATE_SCHEMA, Proof, Verified, verify};

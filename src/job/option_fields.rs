@@ -1,6 +1,7 @@
-//! The fields of the options, as callers write them. `options.rs` has the structs, and `ranges.rs` the ranges of numbers.
+//! The fields of the options, as callers write them. `options.rs` and `plan_options.rs` have the structs, and `ranges.rs` the ranges of numbers.
 
-use super::options::{Budget, LoadOptions, PlanOptions};
+use super::options::LoadOptions;
+use super::plan_options::{Budget, PlanOptions};
 use super::ranges::{
     ALONG, COPY_TOLERANCE, COUNT, DPI, ID, JOIN_TOLERANCE, MEMBER, PLACE, REVERSED, SECONDS, SHARE,
     TOLERANCE, TURN, WORKERS,

@@ -1,6 +1,7 @@
 //! The ranges of the numbers in options, with their reasons.
 
-use crate::fields::Range;
+use super::JobError;
+use crate::fields::{FieldError, Range};
 
 /// Largest whole number that JavaScript represents exactly.
 pub(super) const COUNT: Range = Range::new(0.0, 9_007_199_254_740_991.0, "", "JavaScript counts no further");
@@ -27,3 +28,11 @@ pub(super) const SHARE: Range = Range::new(0.0, 1.0, "", "it is a fraction of th
 pub(super) const ALONG: Range = Range::new(-1e9, 1e9, "mm", "no contour is longer than 1,000 km");
 pub(super) const REVERSED: Range =
     Range::new(0.0, 1.0, "", "1 says that the stop runs against the stored direction");
+
+/// Checks that the number of an option is in its range.
+pub(super) fn within(name: &str, n: f64, range: &Range) -> Result<(), JobError> {
+    if range.holds(n) {
+        return Ok(());
+    }
+    Err(FieldError::out_of_range("The option", name, n, range).into())
+}

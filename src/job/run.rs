@@ -1,6 +1,6 @@
 //! A plan and the search for it: the problem, the search, its budget and its result.
 
-use super::options::{Budget, PlanOptions};
+use super::plan_options::{Budget, PlanOptions};
 use super::{
     Baselines, JobError, Placed, WarmPath, common_cuts, corners, joints, leads, problem_of, warm_path,
 };

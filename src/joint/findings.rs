@@ -1,6 +1,7 @@
 //! Findings on joints: every contour that has not the joints that are asked for, with its place.
 
-use super::planner::{Outcome, Planner, Refusal};
+use super::outcome::{Outcome, Refusal};
+use super::planner::Planner;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::DVec2;
 use crate::sheet::Sheet;

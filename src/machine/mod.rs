@@ -1,4 +1,11 @@
-//! The machine: its data ([`Profile`]), and the times that follow from it ([`air_time`], [`cut_time`]).
+//! The machine: its data ([`Profile`]), and the times that follow from it.
+//!
+//! A profile says how fast the head moves and cuts, what piercing takes, which leads, joints and skeleton cuts there are, and
+//! which [`Levers`] save time. [`presets`] has typical machines. A profile from outside is read by the table of its fields
+//! (`profile_fields.rs`) and checked by [`Profile::validate`].
+//!
+//! [`air_time`] is the time of a move with the beam off (`motion.rs`), and [`cut_time`] that of a cut, which slows down in
+//! corners (`lookahead.rs`). [`ClosedRun`] says what a closed cut takes from each place of entry.
 
 mod arc;
 mod bed;
@@ -18,6 +25,8 @@ mod motion;
 mod presets;
 mod process;
 mod profile;
+mod profile_error;
+mod profile_fields;
 mod ramp;
 mod settings;
 mod sharp_corner;
@@ -44,9 +53,10 @@ pub use motion::{AirTime, air_time};
 pub use presets::{preset, presets};
 pub use process::Process;
 pub use profile::{Axes, Profile, Takes, Travel};
+pub use profile_error::ProfileError;
+pub use profile_fields::{LAYER_SETTINGS, check_settings};
 pub use settings::{MaterialSetting, Settings};
 pub use sharp_corner::SharpCorner;
 pub use skeleton::Skeleton;
 pub(crate) use tips::SAME_SIZE;
 pub use tips::{Falls, RiskyMoves, Slats, Tips};
-pub use valid::{LAYER_SETTINGS, ProfileError, check_settings};

@@ -9,8 +9,8 @@ use super::dialect::DialectChoice;
 use super::levers::Levers;
 use super::process::Process;
 use super::profile::{Axes, Profile, Takes, Travel};
+use super::profile_fields::VERSION;
 use super::sharp_corner::SharpCorner;
-use super::valid::VERSION;
 use std::f64::consts::PI;
 
 /// All presets, starting with the default.
@@ -42,13 +42,10 @@ pub fn preset(name: &str) -> Option<Profile> {
 /// A gantry CO2 laser of 1600 x 1000 mm with a GRBL controller, 3 mm acrylic.
 fn co2_100w() -> Profile {
     Profile {
-        version: VERSION,
         name: "co2-100w".to_owned(),
         title: "CO2 laser, 100 W, GRBL, 3 mm acrylic".to_owned(),
-        home: [0.0, 0.0],
         // The format that makers call 1610.
         bed: Some([0.0, 0.0, 1600.0, 1000.0]),
-        return_home: true,
         // GRBL runs rapids as straight lines, each axis within its own limit.
         travel: Travel::Straight,
         rapid: Axes {
@@ -65,35 +62,20 @@ fn co2_100w() -> Profile {
         junction_deviation: Some(0.01),
         // Acrylic is pierced while the tube reaches its power.
         pierce_time: 0.1,
-        pre_cut_time: None,
-        pre_cut_length: 0.0,
-        sharp_corner: None,
-        kerf_width: 0.0,
-        z_speed: None,
-        materials: Vec::new(),
-        leads: None,
-        levers: Levers::default(),
-        joints: None,
-        skeleton: None,
         // A high-voltage CO2 supply rises and falls within a few ms.
         beam_on_delay: 0.005,
         beam_off_delay: 0.005,
-        takes: Takes::Gcode,
-        dialect: DialectChoice::named("grbl-m4"),
-        max_s: 1000.0,
+        ..plain()
     }
 }
 
 /// An open-frame diode laser, 3 mm plywood.
 fn diode_hobby() -> Profile {
     Profile {
-        version: VERSION,
         name: "diode-hobby".to_owned(),
         title: "Diode laser, 10 W, GRBL, 3 mm plywood".to_owned(),
-        home: [0.0, 0.0],
         // The usual size of open frames.
         bed: Some([0.0, 0.0, 400.0, 400.0]),
-        return_home: true,
         travel: Travel::Straight,
         rapid: Axes {
             // 10,000 mm/min in x and y, the usual `$110` and `$111` of such machines.
@@ -108,34 +90,17 @@ fn diode_hobby() -> Profile {
         junction_deviation: Some(0.01),
         // With M4 the head starts at once; at 5 mm/s the beam pierces while moving.
         pierce_time: 0.0,
-        pre_cut_time: None,
-        pre_cut_length: 0.0,
-        sharp_corner: None,
-        kerf_width: 0.0,
-        z_speed: None,
-        materials: Vec::new(),
-        leads: None,
-        levers: Levers::default(),
-        joints: None,
-        skeleton: None,
-        beam_on_delay: 0.0,
-        beam_off_delay: 0.0,
-        takes: Takes::Gcode,
-        dialect: DialectChoice::named("grbl-m4"),
-        max_s: 1000.0,
+        ..plain()
     }
 }
 
 /// A 3 kW fibre laser on thin sheet: 1 mm stainless steel with nitrogen.
 fn fibre_3kw_thin() -> Profile {
     Profile {
-        version: VERSION,
         name: "fibre-3kw-thin".to_owned(),
         title: "Fibre laser, 3 kW, 1 mm stainless steel, nitrogen".to_owned(),
-        home: [0.0, 0.0],
         // The common sheet size of 3 x 1.5 m.
         bed: Some([0.0, 0.0, 3000.0, 1500.0]),
-        return_home: true,
         // Positioning moves each drive at its own limit ("simultaneous" speeds in data sheets are sqrt 2 higher).
         travel: Travel::PerAxis,
         rapid: Axes {
@@ -152,23 +117,12 @@ fn fibre_3kw_thin() -> Profile {
         junction_deviation: Some(0.02),
         // Thin sheet is pierced in one pulse.
         pierce_time: 0.1,
-        pre_cut_time: None,
-        pre_cut_length: 0.0,
-        sharp_corner: None,
-        kerf_width: 0.0,
-        z_speed: None,
-        materials: Vec::new(),
-        leads: None,
-        levers: Levers::default(),
-        joints: None,
-        skeleton: None,
         // The gas and the height control need time to settle.
         beam_on_delay: 0.05,
         beam_off_delay: 0.02,
         // CypCut and its like: contours come as DXF, and technology tables hold speeds and powers.
         takes: Takes::Dxf,
-        dialect: DialectChoice::named("grbl-m4"),
-        max_s: 1000.0,
+        ..plain()
     }
 }
 
@@ -182,16 +136,6 @@ fn fibre_6kw_thick() -> Profile {
         mark: Process::new(250.0, Some(3000.0), 0.1),
         // Staged piercing of 12 mm takes half a second to a second.
         pierce_time: 0.8,
-        pre_cut_time: None,
-        pre_cut_length: 0.0,
-        sharp_corner: None,
-        kerf_width: 0.0,
-        z_speed: None,
-        materials: Vec::new(),
-        leads: None,
-        levers: Levers::default(),
-        joints: None,
-        skeleton: None,
         // The oxygen pressure is built up and released.
         beam_on_delay: 0.2,
         beam_off_delay: 0.1,
@@ -300,14 +244,20 @@ fn co2_linuxcnc() -> Profile {
 /// Unit speed without acceleration and charges, so that seconds are millimetres of air move, as in published
 /// comparisons.
 fn length(name: &str, title: &str, travel: Travel) -> Profile {
+    Profile { name: name.to_owned(), title: title.to_owned(), travel, ..plain() }
+}
+
+/// What the presets have in common: from the origin and back, with G-code for GRBL, and without anything that only some machines do.
+/// It has unit speed and charges nothing.
+fn plain() -> Profile {
     Profile {
         version: VERSION,
-        name: name.to_owned(),
-        title: title.to_owned(),
+        name: String::new(),
+        title: String::new(),
         home: [0.0, 0.0],
         bed: None,
         return_home: true,
-        travel,
+        travel: Travel::Straight,
         rapid: Axes { speed: [1.0, 1.0], accel: None },
         cut: Process::new(1.0, None, 1.0),
         mark: Process::new(1.0, None, 0.1),

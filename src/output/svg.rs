@@ -100,6 +100,39 @@ fn contours(out: &mut String, plan: &Plan, sheet: &SheetFacts) {
     }
 }
 
+/// Something that is drawn over the contours.
+struct Overlay {
+    class: &'static str,
+    /// Its colours on light and on dark ground.
+    colors: [&'static str; 2],
+    /// Width of its lines, if it is not the usual one.
+    width: Option<f64>,
+    title: &'static str,
+}
+
+impl Overlay {
+    /// Draws paths, if there are any.
+    fn draw(&self, out: &mut String, paths: &[&[Segment]]) {
+        let Self { class, colors: [light, dark], width, title } = self;
+        if paths.iter().all(|path| path.is_empty()) {
+            return;
+        }
+        let wide = width.map(|width| format!(";stroke-width:{}", number(width))).unwrap_or_default();
+        let _ = write!(
+            out,
+            "<style>.{class}{{stroke:{light}{wide}}}@media(prefers-color-scheme:dark){{.{class}{{stroke:{dark}}}}}</style>\n\
+             <path class=\"{class}\" d=\""
+        );
+        for path in paths {
+            if let Some(first) = path.first() {
+                let _ = write!(out, "M{}", Point(first.start()));
+            }
+            path.iter().for_each(|segment| element(out, segment));
+        }
+        let _ = writeln!(out, "\"><title>{title}</title></path>");
+    }
+}
+
 /// Leads and overcuts, drawn over their contours.
 fn leads(out: &mut String, plan: &Plan) {
     let cuts = contour_cuts(plan);
@@ -107,95 +140,48 @@ fn leads(out: &mut String, plan: &Plan) {
         let [lead_in, _, overcut, lead_out] = cut.leads.divide(&cut.path);
         [lead_in, overcut, lead_out]
     });
-    let mut parts = parts.filter(|part| !part.is_empty()).peekable();
-    if parts.peek().is_none() {
-        return;
-    }
-    out.push_str(
-        "<style>.lead{stroke:#1a8f5a}@media(prefers-color-scheme:dark){.lead{stroke:#5fd39b}}</style>\n<path class=\"lead\" d=\"",
-    );
-    for part in parts {
-        let _ = write!(out, "M{}", Point(part[0].start()));
-        part.iter().for_each(|segment| element(out, segment));
-    }
-    out.push_str("\"><title>Lead-ins, lead-outs, overcuts</title></path>\n");
+    let colors = ["#1a8f5a", "#5fd39b"];
+    Overlay { class: "lead", colors, width: None, title: "Lead-ins, lead-outs, overcuts" }
+        .draw(out, &parts.collect::<Vec<_>>());
 }
 
 /// Loops at corners.
 fn loops(out: &mut String, plan: &Plan) {
-    let of = |m: &Move| match m {
-        Move::Cut { path, turns, .. } => {
-            let loops = turns.iter().filter(|turn| turn.kind == CornerKind::Loop);
-            loops.map(|turn| turn.of(path).to_vec()).collect()
+    let mut loops = Vec::new();
+    for m in &plan.moves {
+        if let Move::Cut { path, turns, .. } = m {
+            loops.extend(turns.iter().filter(|t| t.kind == CornerKind::Loop).map(|turn| turn.of(path)));
         }
-        _ => Vec::new(),
-    };
-    let mut loops = plan.moves.iter().flat_map(of).filter(|path| !path.is_empty()).peekable();
-    if loops.peek().is_none() {
-        return;
     }
-    out.push_str(
-        "<style>.loop{stroke:#1a8f5a}@media(prefers-color-scheme:dark){.loop{stroke:#5fd39b}}</style>\n<path class=\"loop\" d=\"",
-    );
-    for path in loops {
-        let _ = write!(out, "M{}", Point(path[0].start()));
-        path.iter().for_each(|segment| element(out, segment));
-    }
-    out.push_str("\"><title>Loops at corners</title></path>\n");
+    let colors = ["#1a8f5a", "#5fd39b"];
+    Overlay { class: "loop", colors, width: None, title: "Loops at corners" }.draw(out, &loops);
 }
 
 /// Cuts through waste that join contours.
 fn chains(out: &mut String, plan: &Plan) {
-    let of = |m: &Move| if let Move::Chain { path } = m { Some(path.clone()) } else { None };
-    let mut chains = plan.moves.iter().filter_map(of).filter(|path| !path.is_empty()).peekable();
-    if chains.peek().is_none() {
-        return;
-    }
-    out.push_str(
-        "<style>.chain{stroke:#8a4fc7}@media(prefers-color-scheme:dark){.chain{stroke:#c39bff}}</style>\n<path class=\"chain\" d=\"",
-    );
-    for path in chains {
-        let _ = write!(out, "M{}", Point(path[0].start()));
-        path.iter().for_each(|segment| element(out, segment));
-    }
-    out.push_str("\"><title>Cuts through waste</title></path>\n");
+    let paths = plan.moves.iter();
+    let paths = paths.filter_map(|m| if let Move::Chain { path } = m { Some(path.as_slice()) } else { None });
+    let colors = ["#8a4fc7", "#c39bff"];
+    Overlay { class: "chain", colors, width: None, title: "Cuts through waste" }
+        .draw(out, &paths.collect::<Vec<_>>());
 }
 
 /// Strips of material that connect parts: their sides as drawn, wider than a cut.
 fn bridges(out: &mut String, plan: &Plan, width: f64) {
-    if plan.bridges.is_empty() {
-        return;
-    }
-    let _ = write!(
-        out,
-        "<style>.bridge{{stroke:#8a4fc7;stroke-width:{}}}@media(prefers-color-scheme:dark){{.bridge{{stroke:#c39bff}}}}</style>\n<path class=\"bridge\" d=\"",
-        number(2.0 * width)
-    );
-    for [from, to] in plan.bridges.iter().flat_map(|strip| strip.sides) {
-        let _ = write!(out, "M{}L{}", Point(from), Point(to));
-    }
-    out.push_str("\"><title>Sides of bridges between parts</title></path>\n");
+    let sides = plan.bridges.iter().flat_map(|strip| strip.sides);
+    let sides: Vec<[Segment; 1]> = sides.map(|[from, to]| [Segment::line(from, to)]).collect();
+    let sides: Vec<&[Segment]> = sides.iter().map(|side| side.as_slice()).collect();
+    let (colors, width) = (["#8a4fc7", "#c39bff"], Some(2.0 * width));
+    Overlay { class: "bridge", colors, width, title: "Sides of bridges between parts" }.draw(out, &sides);
 }
 
 /// Micro-joints, as short wide strokes between the stretches of their contours.
 fn joints(out: &mut String, plan: &Plan, width: f64) {
-    let of = |m: &Move| {
-        if let Move::Joint { path, .. } = m { path.first().copied().map(|f| (f, path.clone())) } else { None }
-    };
-    let mut joints = plan.moves.iter().filter_map(of).peekable();
-    if joints.peek().is_none() {
-        return;
-    }
-    let wide = number(width * 4.0);
-    let _ = write!(
-        out,
-        "<style>.joint{{stroke:#b3267a;stroke-width:{wide}}}@media(prefers-color-scheme:dark){{.joint{{stroke:#ff7ac0}}}}</style>\n<path class=\"joint\" d=\""
-    );
-    for (first, path) in joints {
-        let _ = write!(out, "M{}", Point(first.start()));
-        path.iter().for_each(|segment| element(out, segment));
-    }
-    out.push_str("\"><title>Micro-joints</title></path>\n");
+    let paths = plan.moves.iter();
+    let paths =
+        paths.filter_map(|m| if let Move::Joint { path, .. } = m { Some(path.as_slice()) } else { None });
+    let (colors, width) = (["#b3267a", "#ff7ac0"], Some(4.0 * width));
+    Overlay { class: "joint", colors, width, title: "Micro-joints" }.draw(out, &paths.collect::<Vec<_>>());
 }
 
 fn element(out: &mut String, segment: &Segment) {

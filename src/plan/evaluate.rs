@@ -4,7 +4,7 @@
 //! once. So it is with contours that are joined by chains, but the head stops at the ends of a chain.
 
 use super::air::AirMoves;
-use super::model::{Move, Summary, Turn, Way};
+use super::model::{Leads, Move, Summary, Turn, Way};
 use crate::geometry::{Aabb, DVec2, Segment};
 use crate::machine::{AirTime, CornerKind, PLANS_ALL_LEVERS, Profile, cut_time};
 use crate::sheet::Sheet;
@@ -80,16 +80,7 @@ impl<'a> Sums<'a> {
         let after_cut = std::mem::replace(&mut self.after_cut, matches!(step, Move::Cut { .. }));
         let (sum, machine) = (&mut self.sum, self.machine);
         match step {
-            Move::Air { to, way } => {
-                sum.air_length += self.head.distance(*to);
-                sum.air_time += self.air.seconds(self.head, *to, *way);
-                sum.lifts += u32::from(self.air.is_lifted(self.head, *to, *way));
-                sum.crossings += u32::from(*way == Way::Crosses);
-                // A way around ends with the first move that is not to a way point.
-                sum.detours += u32::from(*way == Way::Around && !self.around);
-                self.around = *way == Way::Around;
-                self.head = *to;
-            }
+            Move::Air { to, way } => self.add_air(*to, *way),
             Move::Pierce => {
                 sum.pierces += 1;
                 sum.pierce_time += machine.pierce_time;
@@ -103,87 +94,99 @@ impl<'a> Sums<'a> {
                 sum.wait_time += seconds;
                 sum.air_time += seconds;
             }
-            Move::PreCut { to, .. } => {
+            Move::PreCut { .. } => {
                 sum.pre_cuts += 1;
                 sum.pre_cut_time += machine.pre_cut_time.unwrap_or(0.0);
-                self.head = *to;
             }
             Move::Height { z } => {
                 sum.air_time += machine.height_seconds(z - self.height);
                 self.height = *z;
             }
             Move::Macro { .. } => sum.macro_time += machine.macro_time(),
-            Move::Joint { path, flying: true, .. } => {
-                self.motion.extend(path);
-                self.head = path.last().map_or(self.head, Segment::end);
-            }
-            Move::Fly { path } => {
-                sum.fly_cuts += 1;
-                self.motion.extend(path);
-                self.head = path.last().map_or(self.head, Segment::end);
-            }
-            Move::Chain { path } => {
-                let length = path.iter().map(Segment::length).sum::<f64>();
-                sum.chains += 1;
-                sum.chain_length += length;
-                sum.cut_length += length;
-                self.to_cut.clone_from(path);
-                self.bounds = path.iter().fold(self.bounds, |b, s| b.union(s.bounds()));
-                self.head = path.last().map_or(self.head, Segment::end);
-                // On a kerf, the beam goes on after it went off.
-                sum.edge_starts += u32::from(!after_cut);
-                self.chained = after_cut;
-            }
+            Move::Joint { path, flying: true, .. } => self.motion.extend(path),
             Move::Joint { path, .. } => {
                 let to = path.last().map_or(self.head, Segment::end);
                 let seconds = self.over_joint.seconds(self.head, to);
                 sum.air_length += self.head.distance(to);
                 sum.air_time += seconds;
                 sum.joint_time += seconds + machine.pierce_time + machine.beam_delays();
-                self.head = to;
             }
-            Move::Cut { contour, with, path, leads, turns, .. } => {
-                let Some(last) = path.last() else { return };
-                let [lead_in, _, overcut, lead_out] = leads.divide(path);
+            Move::Fly { path } => {
+                sum.fly_cuts += 1;
+                self.motion.extend(path);
+            }
+            Move::Chain { path } => self.add_chain(path, after_cut),
+            Move::Cut { contour, with, path, leads, turns, .. } if !path.is_empty() => {
+                if PLANS_ALL_LEVERS {
+                    turns.iter().for_each(|turn| add_turn(sum, turn, path));
+                }
                 for contour in with.iter().chain([contour]).map(|&c| c as usize) {
                     if let Some(worked) = self.worked.get_mut(contour) {
                         *worked = true;
                     }
                 }
-                let process = self.sheet.process_by_id(*contour, machine);
-                if !self.to_cut.is_empty() {
-                    sum.cut_time += cut_time(machine, &process, &std::mem::take(&mut self.to_cut));
-                }
-                sum.cut_length += path.iter().map(Segment::length).sum::<f64>();
-                sum.lead_length +=
-                    [lead_in, overcut, lead_out].into_iter().flatten().map(Segment::length).sum::<f64>();
-                if PLANS_ALL_LEVERS {
-                    turns.iter().for_each(|turn| add_turn(sum, turn, path));
-                }
-                if goes_on {
-                    self.motion.extend(path);
-                } else {
-                    let whole = if self.motion.is_empty() {
-                        Cow::Borrowed(path)
-                    } else {
-                        self.motion.extend(path);
-                        Cow::Owned(std::mem::take(&mut self.motion))
-                    };
-                    sum.cut_time += cut_time(machine, &process, &whole);
-                    // With a chain before it, the beam is on already, and goes off once.
-                    if !std::mem::take(&mut self.chained) {
-                        sum.pierce_time += machine.delays_of_cut(std::mem::take(&mut self.moving));
-                    }
-                }
-                self.bounds = path.iter().fold(self.bounds, |b, s| b.union(s.bounds()));
-                self.head = last.end();
-                if self.sheet.contours.get(*contour as usize).is_some_and(|c| c.skeleton) {
-                    sum.skeleton_length += path.iter().map(Segment::length).sum::<f64>();
-                    sum.skeleton_time = sum.seconds() - self.parts_end;
-                } else {
-                    self.parts_end = sum.seconds();
-                }
+                self.add_cut(*contour, path, *leads, goes_on);
             }
+            Move::Cut { .. } => {}
+        }
+        self.head = step.end().unwrap_or(self.head);
+    }
+
+    fn add_air(&mut self, to: DVec2, way: Way) {
+        let sum = &mut self.sum;
+        sum.air_length += self.head.distance(to);
+        sum.air_time += self.air.seconds(self.head, to, way);
+        sum.lifts += u32::from(self.air.is_lifted(self.head, to, way));
+        sum.crossings += u32::from(way == Way::Crosses);
+        // A way around ends with the first move that is not to a way point.
+        sum.detours += u32::from(way == Way::Around && !self.around);
+        self.around = way == Way::Around;
+    }
+
+    fn add_chain(&mut self, path: &[Segment], after_cut: bool) {
+        let length = path.iter().map(Segment::length).sum::<f64>();
+        self.sum.chains += 1;
+        self.sum.chain_length += length;
+        self.sum.cut_length += length;
+        self.to_cut = path.to_vec();
+        self.bounds = path.iter().fold(self.bounds, |b, s| b.union(s.bounds()));
+        // On a kerf, the beam goes on after it went off.
+        self.sum.edge_starts += u32::from(!after_cut);
+        self.chained = after_cut;
+    }
+
+    fn add_cut(&mut self, contour: u32, path: &[Segment], leads: Leads, goes_on: bool) {
+        let (sum, machine) = (&mut self.sum, self.machine);
+        let process = self.sheet.process_by_id(contour, machine);
+        if !self.to_cut.is_empty() {
+            sum.cut_time += cut_time(machine, &process, &std::mem::take(&mut self.to_cut));
+        }
+        let length = path.iter().map(Segment::length).sum::<f64>();
+        sum.cut_length += length;
+        let [lead_in, _, overcut, lead_out] = leads.divide(path);
+        sum.lead_length +=
+            [lead_in, overcut, lead_out].into_iter().flatten().map(Segment::length).sum::<f64>();
+        if goes_on {
+            self.motion.extend(path);
+        } else {
+            let whole = if self.motion.is_empty() {
+                Cow::Borrowed(path)
+            } else {
+                self.motion.extend(path);
+                Cow::Owned(std::mem::take(&mut self.motion))
+            };
+            sum.cut_time += cut_time(machine, &process, &whole);
+            // With a chain before it, the beam is on already, and goes off once.
+            if !std::mem::take(&mut self.chained) {
+                sum.pierce_time += machine.delays_of_cut(std::mem::take(&mut self.moving));
+            }
+        }
+        self.bounds = path.iter().fold(self.bounds, |b, s| b.union(s.bounds()));
+        if self.sheet.contours.get(contour as usize).is_some_and(|c| c.skeleton) {
+            sum.skeleton_length += length;
+            sum.skeleton_time = sum.seconds() - self.parts_end;
+        } else {
+            self.parts_end = sum.seconds();
         }
     }
 

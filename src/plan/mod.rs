@@ -1,4 +1,10 @@
-//! The plan: moves with their times, and the checker.
+//! The plan: the moves of the head with their times, and how good it is.
+//!
+//! 1. [`from_solution`] converts the path that a solver found to moves (`model`). [`evaluate`] adds up their lengths and times.
+//! 2. [`check`] makes sure that a plan does what its sheet requires. It shares no code with the solvers or the conversion, so
+//!    that a fault of these does not hide itself.
+//! 3. [`LowerBound`] computes what no plan can fall short of, while the search runs.
+//! 4. [`document`] is the plan as other programs read it.
 
 mod air;
 mod checker;

@@ -1,31 +1,28 @@
 //! Conversion of a sheet to a problem: one item for each contour, with entries, precedence from the nesting, and a rank.
 
 use super::between_parts::between_parts;
-use super::bridge_cuts::begins_on_kerf;
 use super::chains::Candidates;
-use super::entries::entries;
 use super::fly::FlyGroups;
 use super::groups::Groups;
 use super::heat;
 use super::ids::{ItemId, NodeId};
 use super::kerf_starts::KerfStarts;
-use super::leads::{ItemLeads, LeadNode, Planners};
+use super::leads::Planners;
 use super::links::Links;
-use super::model::{Item, Node, Problem, count};
+use super::model::{Item, Node, Problem};
 use super::pierce_groups::PierceGroups;
-use super::seconds::{leave_seconds, seconds, start_seconds};
+use super::single::Singles;
 use super::skeleton_starts::skeleton_starts;
 use super::starts::{Start, Starts};
 use super::sub_path::SubPath;
 use super::tipping;
-use crate::geometry::DVec2;
 use crate::machine::{AirTime, PLANS_ALL_LEVERS, Profile};
 use crate::order::sort_by;
-use crate::sheet::{Contour, Operation, Sheet};
+use crate::sheet::{Operation, Sheet};
 
 /// The problem of cutting a sheet on a machine. The item of a contour has the contour's index.
 ///
-/// * Nodes: the entries of a contour, see `entries.rs`.
+/// * Nodes: the entries of a contour (`entries.rs`); which of the following a contour has is decided in `single.rs`.
 /// * Precedence: a contour is cut after everything inside it, because a part that is cut free may shift.
 /// * Rank: contours that are pinned first or last, then layers if the sheet is ordered by layer, then marks before cuts, and small
 ///   holes before other cuts on a machine that asks for it. A
@@ -72,83 +69,24 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
     let is_alone = |c| !joined.holds(c) && !flown.holds(c);
     let chained = Candidates::new(sheet, machine, &planners, is_alone);
     let starts = if PLANS_ALL_LEVERS { KerfStarts::new(sheet, machine, chained.as_ref()) } else { None };
-    let keeps_together = sheet.keeps_together();
     let mut items = Vec::with_capacity(sheet.contours.len());
     let mut nodes: Vec<Node> = Vec::new();
-    for ((contour, &rank), item) in sheet.contours.iter().zip(&ranks).zip(0..) {
-        let first = count(&nodes);
-        if let Some(item) = joined.item(item, rank, &mut nodes) {
-            items.push(item);
-            continue;
-        }
-        if let Some(item) = flown.item(item, rank, joined.before(item), &mut nodes) {
-            items.push(item);
-            continue;
-        }
-        if !contour.is_processed() {
-            items.push(Item::default());
-            continue;
-        }
-        let joints = planners.joints(item).map(Box::new);
-        let led = ItemLeads::new(&planners, item, contour, joints.as_deref());
-        if let Some((mut leads, mut places, mut least)) = led {
-            if let Some(starts) = starts.as_ref().filter(|_| joints.is_none()) {
-                least -= starts.add_edge(item, &mut leads, &mut places);
-            }
-            push_leads(&mut nodes, item, places);
-            items.push(Item {
-                nodes: first..count(&nodes),
-                before: joined.before(item),
-                area: joined.area(item),
-                rank,
-                fixed: start_seconds(
-                    machine,
-                    false,
-                    joints.is_none() && leads.start_moving(sheet, machine, contour),
-                ) + least,
-                leads: Some(leads),
-                joints,
-                ..Item::default()
-            });
-            continue;
-        }
-        let passes = sheet.passes_at_once(contour, machine);
-        let joined_places = chained.as_ref().and_then(|c| c.places(item));
-        let bare = starts.as_ref().filter(|_| joints.is_none() && contour.path.closed);
-        if let Some((leads, places, least)) = bare.and_then(|s| s.bare_at_edge(item, contour, joined_places))
-        {
-            push_leads(&mut nodes, item, places);
-            items.push(Item {
-                nodes: first..count(&nodes),
-                before: joined.before(item),
-                rank,
-                fixed: start_seconds(machine, false, false) + least,
-                leads: Some(leads),
-                ..Item::default()
-            });
-            continue;
-        }
-        match joined_places {
-            Some(places) => push_places(&mut nodes, item, places),
-            None => push_nodes(&mut nodes, item, contour, passes),
-        }
-        let may_move = joints.is_none();
-        let (fixed, run) = seconds(sheet, machine, contour, passes, may_move);
-        let on_kerf = PLANS_ALL_LEVERS && begins_on_kerf(sheet, machine, &items, contour);
-        let fixed = if on_kerf { fixed - f64::from(passes) * machine.pierce_time } else { fixed };
-        items.push(Item {
-            nodes: first..count(&nodes),
-            before: joined.before(item),
-            area: joined.area(item),
-            rank,
-            fixed,
-            run,
-            leave: leave_seconds(machine, contour)
-                .filter(|_| !keeps_together && passes == 1 && contour.pass == 0)
-                .filter(|_| planners.leads.is_none() && !sheet.has_turn(contour)),
-            track: contour.path.closed.then(|| contour.path.clone()),
-            joints,
-            ..Item::default()
+    let singles = Singles {
+        sheet,
+        machine,
+        planners: &planners,
+        joined: &joined,
+        chained: chained.as_ref(),
+        starts: starts.as_ref(),
+        keeps_together: sheet.keeps_together(),
+    };
+    for ((contour, &rank), id) in sheet.contours.iter().zip(&ranks).zip(0..) {
+        let together = joined.item(id, rank, &mut nodes);
+        let together = together.or_else(|| flown.item(id, rank, joined.before(id), &mut nodes));
+        items.push(match together {
+            Some(item) => item,
+            None if !contour.is_processed() => Item::default(),
+            None => singles.item(id, contour, rank, &items, &mut nodes),
         });
     }
     let on_kerfs = starts.map(|s| s.on_kerfs(&items, &nodes)).unwrap_or_default();
@@ -198,42 +136,6 @@ fn starts_of(
         Some((node.item, air.seconds(start.from, node.entry) + lifted - start.seconds))
     };
     Starts::new(nodes.len(), found, saved, |item| links.saved(item))
-}
-
-/// Several passes over an open contour run there and back: after an even number, the head is where it began.
-fn push_nodes(nodes: &mut Vec<Node>, item: ItemId, contour: &Contour, passes: u32) {
-    let path = &contour.path;
-    if !path.closed
-        && let (Some(start), Some(end)) = (path.start(), path.end())
-    {
-        let (ahead, back) = (count(nodes), count(nodes) + 1);
-        let node = |entry, exit, reversed, twin| Node { item, entry, exit, along: 0.0, reversed, twin };
-        if passes.is_multiple_of(2) {
-            nodes.push(node(start, start, false, ahead));
-            nodes.push(node(end, end, true, back));
-            return;
-        }
-        nodes.push(node(start, end, false, back));
-        nodes.push(node(end, start, true, ahead));
-        return;
-    }
-    push_places(nodes, item, &entries(path));
-}
-
-/// A node at each of these places of a closed contour.
-fn push_places(nodes: &mut Vec<Node>, item: ItemId, places: &[(f64, DVec2)]) {
-    for &(along, entry) in places {
-        let twin = count(nodes);
-        nodes.push(Node { item, entry, exit: entry, along, reversed: false, twin });
-    }
-}
-
-/// A node for each lead-in of a closed contour.
-fn push_leads(nodes: &mut Vec<Node>, item: ItemId, places: Vec<LeadNode>) {
-    for LeadNode { along, entry, exit } in places {
-        let twin = count(nodes);
-        nodes.push(Node { item, entry, exit, along, reversed: false, twin });
-    }
 }
 
 /// The groups of a person, and the parts if the sheet is cut part by part. A part in a hole is within the part around it, any

@@ -1,5 +1,11 @@
 //! The problem that a solver sees: items, the nodes where each may be entered, the cost of travel, and precedence. Solvers
 //! know neither drawings nor machine programs.
+//!
+//! [`from_sheet`] makes the problem of a sheet on a machine; its documentation lists what becomes of everything on the sheet.
+//! Most contours are items of their own (`single.rs`). Contours that share cuts (`pierce_groups.rs`) and those that are cut on
+//! the run (`fly`) are one item, whose nodes are the ways through all of them. Some costs depend on more than one leg: chains
+//! are [`Links`] between nodes, cuts that begin on kerfs are [`Starts`], pieces that may tip are zones (`tipping.rs`), and near
+//! cuts have to cool (`heat.rs`). [`instance()`] reads benchmark instances as problems.
 
 mod beside;
 mod between_parts;
@@ -20,6 +26,7 @@ mod links;
 mod model;
 mod pierce_groups;
 mod seconds;
+mod single;
 mod skeleton_starts;
 mod starts;
 mod sub_path;

@@ -27,21 +27,8 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     let mut findings = Findings::default();
     let mut layers = layers::layers(drawing, options, &mut findings);
     let mut ignored = layers::ignored(drawing, &layers, &mut findings);
-    let join = length_or(options.join_tolerance, 0.0);
-    let copy = length_or(options.copy_tolerance, 0.0).min(join);
-    let source = Source::Drawing(drawing);
-    let mut contours = Vec::new();
-    let mut searched = true;
-    // Cuts and marks are cleaned and joined separately, so a line that is both marked and cut remains both.
-    for operation in [Operation::Cut, Operation::Mark] {
-        let lines = layers::lines_of(drawing, &layers, operation);
-        let chains = clean(source, &lines, copy, join, &mut findings);
-        let assembly = assemble(source, &chains, join, operation == Operation::Cut, &mut findings);
-        searched &= assembly.searched;
-        for a in assembly.contours {
-            contours.push(contour(drawing, a, operation, &mut findings));
-        }
-    }
+    let (join, copy) = tolerances(options);
+    let (mut contours, searched) = assembled(drawing, &layers, (join, copy), &mut findings);
     sort_by(&mut contours, |c| [c.first_shape.into(), 0, 0]);
     exclude::exclude(&mut contours, &options.exclude, copy, &mut findings);
     exclude::mark(&mut contours, &options.mark, copy);
@@ -50,33 +37,18 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     if searched {
         findings::open_contours(drawing, &contours, &in_groups, &mut findings);
     }
-    let mut crossing = crossings::find(source, &mut contours, copy.max(MIN_CROSSING_DEPTH), &mut findings);
+    let depth = copy.max(MIN_CROSSING_DEPTH);
+    let mut crossing = crossings::find(Source::Drawing(drawing), &mut contours, depth, &mut findings);
     near_copies::find(drawing, &contours, [copy, join], &mut findings);
     if !nest::nest(&mut contours, &crossing, join) {
         let message =
             "So many contours interlock that it was only partly determined which lies inside which.";
         findings.push(Finding::new(Code::NotAllChecked, Severity::Warning, message));
     }
-    let border = outline::find(&contours, &layers);
-    let mut outline = border.as_ref().map(|b| b.contour);
-    if let (Some(border), Some(index)) = (border, outline) {
-        let decision = match (options.keep_border, options.ignore_outline, border.evidence) {
-            (true, ..) => Decision::Kept,
-            (false, true, _) | (false, false, Evidence::Clear) => Decision::Ignored,
-            (false, false, Evidence::Thin) => Decision::Open,
-        };
-        findings.push(outline::finding(drawing, &contours[index as usize], &border, decision));
-        if decision == Decision::Ignored {
-            contours[index as usize].operation = Operation::Ignore;
-            crossing.retain(|&(a, b)| a != index && b != index);
-            nest::nest(&mut contours, &crossing, join);
-            outline = None;
-            // One finding about the border is enough.
-            let layer = layers[contours[index as usize].layer as usize].name.clone();
-            if contours.iter().filter(|c| c.layer == contours[index as usize].layer).count() == 1 {
-                findings.withdraw(|f| f.code == Code::LayerSuggestion && f.layer.as_deref() == Some(&layer));
-            }
-        }
+    let outline = border(drawing, &mut contours, &layers, options, &mut findings);
+    if let Some(Border { index, ignored: true }) = outline {
+        crossing.retain(|&(a, b)| a != index && b != index);
+        nest::nest(&mut contours, &crossing, join);
     }
     narrow::find(drawing, &contours, narrow::Limit::FinestBeam, &mut findings);
     parts::orient(&mut contours);
@@ -84,16 +56,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     sequence::assign(&mut contours, &options.sequences);
     together::assign(&mut contours, &options.together);
     let groups = find_groups(&contours, &layers, &crossing, options, join);
-    let mut bounds = Aabb::EMPTY;
-    for c in &contours {
-        match layers.get_mut(c.layer as usize) {
-            Some(l) if c.is_processed() => {
-                l.contours += 1;
-                bounds = bounds.union(c.bounds);
-            }
-            _ => ignored.push(Ignored { path: c.path.clone(), layer: c.layer }),
-        }
-    }
+    let bounds = count(&contours, &mut layers, &mut ignored);
     if let Some(far) = far_out(&bounds) {
         findings.push(findings::far_from_origin(&far));
     }
@@ -111,9 +74,83 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
         contours,
         layers,
         ignored,
-        outline,
+        outline: outline.filter(|border| !border.ignored).map(|border| border.index),
         findings: findings.into_list(),
     }
+}
+
+/// The cleaned and joined contours of a drawing, and whether areas were searched for among them.
+fn assembled(
+    drawing: &Drawing,
+    layers: &[LayerUse],
+    (join, copy): (f64, f64),
+    findings: &mut Findings,
+) -> (Vec<Contour>, bool) {
+    let source = Source::Drawing(drawing);
+    let (mut contours, mut searched) = (Vec::new(), true);
+    // Cuts and marks are cleaned and joined separately, so a line that is both marked and cut remains both.
+    for operation in [Operation::Cut, Operation::Mark] {
+        let lines = layers::lines_of(drawing, layers, operation);
+        let chains = clean(source, &lines, copy, join, findings);
+        let assembly = assemble(source, &chains, join, operation == Operation::Cut, findings);
+        searched &= assembly.searched;
+        for a in assembly.contours {
+            contours.push(contour(drawing, a, operation, findings));
+        }
+    }
+    (contours, searched)
+}
+
+/// The contour that is the border of the sheet.
+#[derive(Clone, Copy)]
+struct Border {
+    index: u32,
+    ignored: bool,
+}
+
+/// Finds the border of the sheet, and ignores it unless the options or thin evidence speak against that.
+fn border(
+    drawing: &Drawing,
+    contours: &mut [Contour],
+    layers: &[LayerUse],
+    options: &SheetOptions,
+    findings: &mut Findings,
+) -> Option<Border> {
+    let border = outline::find(contours, layers)?;
+    let decision = match (options.keep_border, options.ignore_outline, border.evidence) {
+        (true, ..) => Decision::Kept,
+        (false, true, _) | (false, false, Evidence::Clear) => Decision::Ignored,
+        (false, false, Evidence::Thin) => Decision::Open,
+    };
+    let index = border.contour;
+    findings.push(outline::finding(drawing, &contours[index as usize], &border, decision));
+    let ignored = decision == Decision::Ignored;
+    if ignored {
+        contours[index as usize].operation = Operation::Ignore;
+        // One finding about the border is enough.
+        let layer = contours[index as usize].layer;
+        if contours.iter().filter(|c| c.layer == layer).count() == 1 {
+            let name = &layers[layer as usize].name;
+            findings.withdraw(|f| f.code == Code::LayerSuggestion && f.layer.as_ref() == Some(name));
+        }
+    }
+    Some(Border { index, ignored })
+}
+
+/// Counts the contours of each layer that are cut or marked, and adds the others to those that are ignored. Returns the bounds of the
+/// former.
+fn count(contours: &[Contour], layers: &mut [LayerUse], ignored: &mut Vec<Ignored>) -> Aabb {
+    let mut bounds = Aabb::EMPTY;
+    for c in contours {
+        match layers.get_mut(c.layer as usize) {
+            Some(l) if c.is_processed() => {
+                l.contours += 1;
+                bounds = bounds.union(c.bounds);
+            }
+            _ => ignored.push(Ignored { path: c.path.clone(), layer: c.layer }),
+        }
+    }
+    bounds
 }
 
 /// Finds contours that share cuts. There are none if the options ask for separate contours or for part by part.
@@ -156,9 +193,12 @@ fn pin(contours: &mut [Contour], options: &SheetOptions) {
     }
 }
 
-/// A length from outside, replaced by `otherwise` when it is negative or not a number.
-pub(super) fn length_or(v: f64, otherwise: f64) -> f64 {
-    if v.is_finite() { v.max(0.0) } else { otherwise }
+/// The tolerances for joining and for copies, mm. A copy is nearer than what is joined.
+pub(super) fn tolerances(options: &SheetOptions) -> (f64, f64) {
+    // They come from outside, and may be negative or no numbers.
+    let length = |v: f64| if v.is_finite() { v.max(0.0) } else { 0.0 };
+    let join = length(options.join_tolerance);
+    (join, length(options.copy_tolerance).min(join))
 }
 
 /// Sums the lengths of elements by layer.

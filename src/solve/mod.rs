@@ -1,4 +1,14 @@
 //! Solvers behind two traits, and the registry that names them.
+//!
+//! A [`Solver`] starts a [`Search`] on a problem. A search has a solution at once, and [`Search::step`] improves it by a given
+//! amount of work. The same seed gives the same solutions, however the work is divided.
+//!
+//! - `tour_tree`: the default method. It prices moves by the ends of legs; where a price depends on what was cut before,
+//!   `tipped` replays the path and improves it further.
+//! - `greedy`: nearest neighbour, where the default method starts.
+//! - [`exact()`]: the optimum of problems with few items, by dynamic programming. Tests compare with it.
+//! - [`pierce_group`]: the ways through contours that share cuts, which become nodes of one item.
+//! - `papers` (feature `research`): published methods, built as published.
 
 mod as_drawn;
 mod epsilon;

@@ -2,7 +2,7 @@
 //! with the length of pieces, so that nothing but squares was ever proven optimal.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::testkit::sheets::{Builder, Dice, circle, machine, p, polygon};
+use crate::testkit::sheets::{Builder, XorShift, circle, machine, p, polygon};
 use kerfway::geometry::{DVec2, math};
 use kerfway::job::problem_of;
 use kerfway::machine::{Profile, Travel};
@@ -11,13 +11,13 @@ use kerfway::problem::Problem;
 use kerfway::solve::{self, Solution};
 
 /// Circles and polygons in rows, each a little off its place.
-fn scattered(count: u32, dice: &mut Dice, machine: &Profile) -> Problem {
+fn scattered(count: u32, rng: &mut XorShift, machine: &Profile) -> Problem {
     let mut builder = Builder::new();
     for k in 0..count {
         let row = f64::from(k / 4);
         let center =
-            p(41.0 * f64::from(k % 4) + dice.between(0.0, 18.0), 37.0 * row + dice.between(20.0, 36.0));
-        let radius = dice.between(2.0, 8.0);
+            p(41.0 * f64::from(k % 4) + rng.between(0.0, 18.0), 37.0 * row + rng.between(20.0, 36.0));
+        let radius = rng.between(2.0, 8.0);
         let corner = |i: u32| center + math::unit(radius + f64::from(i)) * radius;
         let shape = if k % 3 == 0 {
             polygon(&(0..6).map(corner).collect::<Vec<DVec2>>())
@@ -63,10 +63,10 @@ fn bound(problem: &Problem, path: &Solution, work: u64) -> (LowerBound, bool) {
 
 #[test]
 fn jobs_on_machines_with_two_axes_are_proven_optimal() {
-    let mut dice = Dice::new(11);
+    let mut rng = XorShift::new(11);
     for machine in machines() {
         for count in [6, 8] {
-            let problem = scattered(count, &mut dice, &machine);
+            let problem = scattered(count, &mut rng, &machine);
             let path = searched(&problem);
             let (bound, ends) = bound(&problem, &path, 60_000_000);
             let (name, value) = (&machine.name, bound.value());
@@ -85,9 +85,9 @@ fn jobs_on_machines_with_two_axes_are_proven_optimal() {
 /// The bound finds the best entries of the order that it is told of, and says where they are.
 #[test]
 fn a_better_path_of_the_bound_is_told_stop_by_stop() {
-    let mut dice = Dice::new(13);
+    let mut rng = XorShift::new(13);
     for machine in machines() {
-        let problem = scattered(9, &mut dice, &machine);
+        let problem = scattered(9, &mut rng, &machine);
         // The path of a search that has hardly begun.
         let mut search = solve::methods()[0].start(&problem, 1, None);
         search.step(500);
@@ -118,10 +118,10 @@ fn a_better_path_of_the_bound_is_told_stop_by_stop() {
 /// Whatever the mixtures are, no more is proven than a path takes.
 #[test]
 fn any_mixtures_prove_no_more_than_a_path_takes() {
-    let mut dice = Dice::new(12);
+    let mut rng = XorShift::new(12);
     let (mut more, mut less) = (0, 0);
     for machine in machines().into_iter().chain([at_once()]) {
-        let problem = scattered(5, &mut dice, &machine);
+        let problem = scattered(5, &mut rng, &machine);
         let path = searched(&problem);
         let good = bound(&problem, &path, 6_000_000).0.certificate(&problem, 0.0).unwrap();
         let before = good.adds_up_to(&problem).unwrap();
@@ -130,12 +130,12 @@ fn any_mixtures_prove_no_more_than_a_path_takes() {
             let mut mixtures = Vec::new();
             for a in 0..count {
                 for b in a + 1..count {
-                    if dice.below(3) > 0 {
-                        let part = |dice: &mut Dice| u32::try_from(dice.below((1 << 20) + 1)).unwrap();
+                    if rng.below(3) > 0 {
+                        let part = |rng: &mut XorShift| u32::try_from(rng.below((1 << 20) + 1)).unwrap();
                         mixtures.push(MixedLegs {
                             items: [a, b],
-                            speed: part(&mut dice),
-                            ramps: part(&mut dice),
+                            speed: part(&mut rng),
+                            ramps: part(&mut rng),
                         });
                     }
                 }

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use crate::lower_bound::bound;
-use crate::testkit::sheets::{Builder, Dice, machine, p, polygon};
+use crate::testkit::sheets::{Builder, XorShift, machine, p, polygon};
 use kerfway::geometry::{DVec2, math};
 use kerfway::job::problem_of;
 use kerfway::machine::{Profile, SharpCorner};
@@ -12,11 +12,11 @@ use kerfway::problem::Problem;
 use kerfway::solve;
 
 /// Triangles to hexagons, turned at random, on places of a grid.
-fn polygons(count: u32, dice: &mut Dice, machine: &Profile) -> Problem {
+fn polygons(count: u32, rng: &mut XorShift, machine: &Profile) -> Problem {
     let mut builder = Builder::new();
     for k in 0..count {
-        let center = p(30.0 * f64::from(k % 4) + dice.between(0.0, 6.0), 30.0 * f64::from(k / 4) + 20.0);
-        let (sides, turn) = (3 + k % 4, dice.between(0.0, 6.0));
+        let center = p(30.0 * f64::from(k % 4) + rng.between(0.0, 6.0), 30.0 * f64::from(k / 4) + 20.0);
+        let (sides, turn) = (3 + k % 4, rng.between(0.0, 6.0));
         let corner = |i: u32| {
             center + math::unit(turn + std::f64::consts::TAU * f64::from(i) / f64::from(sides)) * 9.0
         };
@@ -34,7 +34,7 @@ fn best(problem: &Problem, moves: u64) -> f64 {
 
 #[test]
 fn jobs_of_parts_with_corners_are_proven_optimal() {
-    let mut dice = Dice::new(3);
+    let mut rng = XorShift::new(3);
     for name in ["co2-100w", "fibre-3kw-thin", "co2-ruida", "k40"] {
         for (count, closed, waits) in
             [(6, true, false), (9, false, false), (8, true, true), (12, true, false)]
@@ -45,7 +45,7 @@ fn jobs_of_parts_with_corners_are_proven_optimal() {
             machine.junction_deviation =
                 machine.junction_deviation.map(|d| if name == "k40" { 0.0 } else { d });
             machine.sharp_corner = waits.then_some(SharpCorner { angle: 1.7, time: 0.2 });
-            let problem = polygons(count, &mut dice, &machine);
+            let problem = polygons(count, &mut rng, &machine);
             assert!(problem.items.iter().all(|i| i.uneven().is_some()), "{name}");
             let best = best(&problem, 300_000);
             let proven = bound(&problem, best, 3_000_000_000, 2_000_000);
@@ -57,7 +57,7 @@ fn jobs_of_parts_with_corners_are_proven_optimal() {
 /// With certificates, which know of the extra seconds as well.
 #[test]
 fn certificates_prove_more_where_stops_differ() {
-    let problem = polygons(10, &mut Dice::new(8), &machine("fibre-3kw-thin"));
+    let problem = polygons(10, &mut XorShift::new(8), &machine("fibre-3kw-thin"));
     let mut even = problem.clone();
     even.items.iter_mut().for_each(|i| i.run = None);
     let best = best(&problem, 300_000);

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use crate::lower_bound::{entered_anywhere, scattered};
-use crate::testkit::sheets::{Dice, machine, nested_sheet};
+use crate::testkit::sheets::{XorShift, machine, nested_sheet};
 use crate::walk_certificate::{cut, knots_of, of_every_kind, some};
 use kerfway::job::problem_of;
 use kerfway::plan::{CertificateFault, Certified, FlowBound, FlowCertificate};
@@ -37,10 +37,10 @@ fn proven(problem: &Problem, certificate: &FlowCertificate) -> Result<f64, Certi
 /// 2,000 seeded problems: points, open contours, ranks, precedence, open and closed paths, and tables that are the same both ways or not.
 #[test]
 fn never_above_the_optimum() {
-    let mut dice = Dice::new(41);
+    let mut rng = XorShift::new(41);
     let (mut sum, mut sum_least, mut cases, mut directed, mut ordered) = (0.0, 0.0, 0, 0, 0);
     for k in 0..2400_u64 {
-        let problem = of_every_kind(&mut dice, k);
+        let problem = of_every_kind(&mut rng, k);
         let Some(bound) = by_flows(&problem, 1_000_000) else { continue };
         let least = solve::exact(&problem).unwrap().cost;
         let value = bound.value();
@@ -113,10 +113,10 @@ fn the_same_in_slices() {
 /// Whatever the numbers are, no more than the optimum is proven: potentials, and cuts by the places in them.
 #[test]
 fn any_numbers_prove_no_more_than_the_optimum() {
-    let mut dice = Dice::new(43);
+    let mut rng = XorShift::new(43);
     let (mut less, mut cases) = (0, 0);
     for k in 0..1500_u64 {
-        let problem = of_every_kind(&mut dice, k);
+        let problem = of_every_kind(&mut rng, k);
         let Some(bound) = by_flows(&problem, 200_000) else { continue };
         let least = solve::exact(&problem).unwrap().cost;
         let good = bound.certificate().unwrap();
@@ -133,7 +133,7 @@ fn any_numbers_prove_no_more_than_the_optimum() {
                 .max()
                 .unwrap()
                 / 4;
-            let mut any = |most: i64| i64::try_from(dice.below(u64::try_from(most).unwrap())).unwrap();
+            let mut any = |most: i64| i64::try_from(rng.below(u64::try_from(most).unwrap())).unwrap();
             if turn % 2 == 0 {
                 changed
                     .potentials
@@ -145,7 +145,7 @@ fn any_numbers_prove_no_more_than_the_optimum() {
             if turn > 0 {
                 let price = if turn == 4 { 8 * size } else { 1 + size / 3 };
                 let more: Vec<_> =
-                    (0..3).map(|_| cut(&mut dice, good.near.len(), &knots, &paired, price)).collect();
+                    (0..3).map(|_| cut(&mut rng, good.near.len(), &knots, &paired, price)).collect();
                 changed.cuts.extend(more);
                 changed.cuts.retain(|c| c.visited.is_some() || !c.members.is_empty());
             }
@@ -162,15 +162,15 @@ fn any_numbers_prove_no_more_than_the_optimum() {
 /// more than the optimum.
 #[test]
 fn changed_lists_are_refused_or_prove_no_more() {
-    let (mut dice, mut refused, mut less) = (Dice::new(47), 0, 0);
+    let (mut rng, mut refused, mut less) = (XorShift::new(47), 0, 0);
     for k in 0..400_u64 {
-        let problem = scattered(&mut dice, k);
+        let problem = scattered(&mut rng, k);
         let Some(bound) = by_flows(&problem, 200_000) else { continue };
         let least = solve::exact(&problem).unwrap().cost;
         let mut changed = bound.certificate().unwrap();
-        let count = changed.company.len();
+        let count = changed.ng_sets.len();
         let first = count - problem.items.len();
-        (first..count).for_each(|i| changed.company[i] = some(&mut dice, first, count, 6));
+        (first..count).for_each(|i| changed.ng_sets[i] = some(&mut rng, first, count, 6));
         match changed.adds_up_to(&problem) {
             Err(fault) => {
                 assert_eq!(fault, CertificateFault::Shape("potentials"));
@@ -189,7 +189,7 @@ fn changed_lists_are_refused_or_prove_no_more() {
 /// One changed number is noticed, and numbers of the wrong shape have a sentence.
 #[test]
 fn one_changed_number_is_noticed() {
-    let problem = scattered(&mut Dice::new(3), 14);
+    let problem = scattered(&mut XorShift::new(3), 14);
     let good = by_flows(&problem, 1_000_000).unwrap().certificate().unwrap();
     assert!(good.check(&problem).is_ok());
     let shape = |change: &dyn Fn(&mut FlowCertificate)| {
@@ -205,7 +205,7 @@ fn one_changed_number_is_noticed() {
         ("potentials", &|c| c.potentials[1].push(0)),
         ("potentials", &|c| c.potentials[1][0] = i64::MAX),
         ("potentials", &|c| c.potentials[1][0] = i64::MIN),
-        ("lists of company", &|c| c.company[2] = vec![usize::MAX]),
+        ("lists of company", &|c| c.ng_sets[2] = vec![usize::MAX]),
         ("near items", &|c| c.near[2] = vec![0]),
         ("units", &|c| c.unit += 1),
         ("knots", &|c| c.knots.truncate(1)),
@@ -226,6 +226,6 @@ fn it_does_not_apply() {
     machine.pre_cut_time = Some(0.0);
     let resumes = problem_of(&nested_sheet(5, 1), &machine);
     assert!(resumes.items.iter().any(|i| i.leave.is_some()) && FlowBound::new(&resumes).is_none());
-    let one = scattered(&mut Dice::new(1), 8);
+    let one = scattered(&mut XorShift::new(1), 8);
     assert!(one.items.len() == 1 && FlowBound::new(&one).is_none());
 }

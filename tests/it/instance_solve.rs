@@ -7,10 +7,10 @@ use kerfway::problem::{Instance, Problem, check, instance};
 use kerfway::solve::{self, Solution};
 use std::fmt::Write;
 
-/// Numbers that look random, the same ones every time.
-struct Dice(u64);
+/// A linear congruential generator: numbers that look random, the same ones every time.
+struct Lcg(u64);
 
-impl Dice {
+impl Lcg {
     fn below(&mut self, n: u64) -> u64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) % n
@@ -19,18 +19,18 @@ impl Dice {
 
 /// A PCGLNS file: sets of 1 to 3 nodes (all of one, sometimes), some in a given order, costs in the plane or any.
 fn random(seed: u64, sets: u64) -> String {
-    let mut dice = Dice(seed);
+    let mut rng = Lcg(seed);
     let most = if seed.is_multiple_of(5) { 1 } else { 3 };
-    let sizes: Vec<u64> = (0..sets).map(|_| 1 + dice.below(most)).collect();
+    let sizes: Vec<u64> = (0..sets).map(|_| 1 + rng.below(most)).collect();
     let nodes: u64 = sizes.iter().sum();
     let symmetric = seed.is_multiple_of(2);
-    let places: Vec<[u64; 2]> = (0..nodes).map(|_| [dice.below(100), dice.below(100)]).collect();
+    let places: Vec<[u64; 2]> = (0..nodes).map(|_| [rng.below(100), rng.below(100)]).collect();
     let mut text = format!("NAME : r\nTYPE : PCGLNS\nDIMENSION : {nodes}\nGTSP_SETS : {sets}\n");
     text += "EDGE_WEIGHT_TYPE : EXPLICIT\nEDGE_WEIGHT_FORMAT : FULL_MATRIX\nEDGE_WEIGHT_SECTION\n";
     for a in &places {
         for b in &places {
             let plane = a[0].abs_diff(b[0]) + a[1].abs_diff(b[1]);
-            write!(text, "{} ", if symmetric { plane } else { plane / 2 + dice.below(60) }).unwrap();
+            write!(text, "{} ", if symmetric { plane } else { plane / 2 + rng.below(60) }).unwrap();
         }
         text.push('\n');
     }
@@ -41,11 +41,11 @@ fn random(seed: u64, sets: u64) -> String {
         writeln!(text, "{set} {} -1", members.join(" ")).unwrap();
         node += size;
     }
-    let start = 1 + dice.below(sets);
+    let start = 1 + rng.below(sets);
     text += "GTSP_SET_ORDERING\n";
     for first in 1..=sets {
         for then in first + 1..=sets {
-            if !seed.is_multiple_of(3) && then != start && dice.below(3) == 0 {
+            if !seed.is_multiple_of(3) && then != start && rng.below(3) == 0 {
                 writeln!(text, "{first} {then} -1").unwrap();
             }
         }

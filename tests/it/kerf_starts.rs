@@ -6,7 +6,7 @@ use super::chains::{brute, chaining, says, searched, squares, starting};
 use crate::testkit::dialects::read_back;
 use crate::testkit::exact::search_of_exact_cost;
 use crate::testkit::leads::{leads, oriented, with_leads};
-use crate::testkit::sheets::{Builder, Dice, circle, p, rectangle};
+use crate::testkit::sheets::{Builder, XorShift, circle, p, rectangle};
 use kerfway::geometry::Segment;
 use kerfway::job::problem_of;
 use kerfway::machine::{AirTime, LeadKind, Lift, Profile};
@@ -18,17 +18,17 @@ use kerfway::solve;
 fn the_search_chooses_as_well_as_every_start_on_a_kerf() {
     let (mut joined, mut on_kerfs) = (0, 0);
     for seed in 0..8_u64 {
-        let mut dice = Dice::new(50 + seed);
+        let mut rng = XorShift::new(50 + seed);
         let mut b = Builder::new();
         for k in 0..4 {
-            let at = p(10.0 + 27.0 * f64::from(k), 10.0 + dice.between(0.0, 6.0));
-            if dice.below(3) == 0 {
-                b.cut(circle(at + p(10.0, 10.0), dice.between(7.0, 9.0)), None);
+            let at = p(10.0 + 27.0 * f64::from(k), 10.0 + rng.between(0.0, 6.0));
+            if rng.below(3) == 0 {
+                b.cut(circle(at + p(10.0, 10.0), rng.between(7.0, 9.0)), None);
             } else {
-                b.cut(rectangle(at, p(dice.between(14.0, 20.0), dice.between(10.0, 20.0))), None);
+                b.cut(rectangle(at, p(rng.between(14.0, 20.0), rng.between(10.0, 20.0))), None);
             }
         }
-        let machine = starting(25.0, dice.between(0.2, 2.0));
+        let machine = starting(25.0, rng.between(0.2, 2.0));
         let sheet = oriented(b.sheet);
         let (problem, exact, plan) = search_of_exact_cost(&sheet, &machine, seed);
         let least = brute(&sheet, &machine, &problem, 0.25);
@@ -133,18 +133,18 @@ fn parts_with_holes_begin_on_each_others_kerfs() {
 fn every_order_entry_and_kerf_is_no_better() {
     let (mut on_kerfs, mut earlier) = (0, 0);
     for seed in 0..10_u64 {
-        let mut dice = Dice::new(900 + seed);
+        let mut rng = XorShift::new(900 + seed);
         let mut b = Builder::new();
-        b.cut(rectangle(p(10.0, 10.0), p(150.0, dice.between(8.0, 14.0))), None);
+        b.cut(rectangle(p(10.0, 10.0), p(150.0, rng.between(8.0, 14.0))), None);
         for k in 0..3 {
-            let at = p(20.0 + 50.0 * f64::from(k) + dice.between(-5.0, 5.0), dice.between(30.0, 34.0));
-            if dice.below(3) == 0 {
-                b.cut(circle(at + p(8.0, 8.0), dice.between(6.0, 8.0)), None);
+            let at = p(20.0 + 50.0 * f64::from(k) + rng.between(-5.0, 5.0), rng.between(30.0, 34.0));
+            if rng.below(3) == 0 {
+                b.cut(circle(at + p(8.0, 8.0), rng.between(6.0, 8.0)), None);
             } else {
-                b.cut(rectangle(at, p(dice.between(10.0, 16.0), dice.between(10.0, 16.0))), None);
+                b.cut(rectangle(at, p(rng.between(10.0, 16.0), rng.between(10.0, 16.0))), None);
             }
         }
-        let machine = starting(25.0, dice.between(0.2, 2.0));
+        let machine = starting(25.0, rng.between(0.2, 2.0));
         let sheet = oriented(b.sheet);
         let (problem, exact, plan) = search_of_exact_cost(&sheet, &machine, seed);
         let (least, most) =

@@ -2,7 +2,7 @@
 //! published instance.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::testkit::sheets::{Builder, Dice, circle, machine, nested_sheet, p, rectangle};
+use crate::testkit::sheets::{Builder, XorShift, circle, machine, nested_sheet, p, rectangle};
 use kerfway::geometry::DVec2;
 use kerfway::job::problem_of;
 use kerfway::machine::Profile;
@@ -37,14 +37,14 @@ pub(crate) fn machines(k: u64) -> Profile {
 }
 
 /// Scattered items of a few nodes each, with open ones, ranks, and items before others.
-pub(crate) fn scattered(dice: &mut Dice, k: u64) -> Problem {
+pub(crate) fn scattered(rng: &mut XorShift, k: u64) -> Problem {
     let mut machine = machines(k);
     machine.return_home = k.is_multiple_of(2);
     let (mut items, mut nodes) = (Vec::new(), Vec::<Node>::new());
     let count = 1 + k % 8;
     for item in 0..u32::try_from(count).unwrap() {
         let first = NodeId::try_from(nodes.len()).unwrap();
-        let mut place = || p(dice.below(900) as f64, dice.below(600) as f64);
+        let mut place = || p(rng.below(900) as f64, rng.below(600) as f64);
         let (corner, open) = (place(), k % 3 == 1 && item % 2 == 0);
         let near = |v: DVec2| corner + v * 0.2;
         if open {
@@ -88,9 +88,9 @@ fn a_job_of_three_contours_is_proven_to_the_end() {
 /// Is never above the optimum, and proves it, also where the known path is up to 1 % longer.
 #[test]
 fn scattered_items() {
-    let mut dice = Dice::new(5);
+    let mut rng = XorShift::new(5);
     for k in 0..600 {
-        let problem = scattered(&mut dice, k);
+        let problem = scattered(&mut rng, k);
         let least = solve::exact(&problem).unwrap().cost;
         for longer in [1.0, 1.01] {
             let found = bound(&problem, longer * least, 3_000_000, 10_000);
@@ -102,14 +102,14 @@ fn scattered_items() {
 
 #[test]
 fn tables_both_ways() {
-    let mut dice = Dice::new(9);
+    let mut rng = XorShift::new(9);
     let (mut sum, mut sum_least) = (0.0, 0.0);
     for k in 0..100_u64 {
-        let mut problem = scattered(&mut dice, 6 + 8 * (k % 9));
+        let mut problem = scattered(&mut rng, 6 + 8 * (k % 9));
         problem.items.iter_mut().for_each(|i| (i.before, i.rank) = (None, 0));
         problem.pairs = if k % 4 == 3 { vec![(1, 0), (2, 1)] } else { Vec::new() };
         let n = problem.nodes.len();
-        let mut costs: Vec<f64> = (0..n * n).map(|_| dice.below(1000) as f64).collect();
+        let mut costs: Vec<f64> = (0..n * n).map(|_| rng.below(1000) as f64).collect();
         if k.is_multiple_of(2) {
             for a in 0..n {
                 for b in 0..a {
@@ -302,15 +302,15 @@ fn by_shares(problem: &Problem, work: u32) -> Option<ShareBound> {
 /// never above the optimum, and its certificate proves it.
 #[test]
 fn shares_never_above_the_optimum() {
-    let mut dice = Dice::new(17);
+    let mut rng = XorShift::new(17);
     let (mut sum, mut sum_least, mut cases) = (0.0, 0.0, 0);
     for k in 0..2600_u64 {
-        let mut problem = scattered(&mut dice, k);
+        let mut problem = scattered(&mut rng, k);
         if k % 4 == 3 {
             problem.items.iter_mut().for_each(|i| (i.before, i.rank) = (None, 0));
             problem.pairs.clear();
             let n = problem.nodes.len();
-            let mut costs: Vec<f64> = (0..n * n).map(|_| dice.below(1000) as f64).collect();
+            let mut costs: Vec<f64> = (0..n * n).map(|_| rng.below(1000) as f64).collect();
             for a in 0..n {
                 for b in 0..a {
                     costs[a * n + b] = costs[b * n + a];
@@ -352,6 +352,6 @@ fn shares_do_not_apply() {
     machine.pre_cut_time = Some(0.0);
     let resumes = problem_of(&nested_sheet(5, 1), &machine);
     assert!(resumes.items.iter().any(|i| i.leave.is_some()) && ShareBound::new(&resumes).is_none());
-    let one = scattered(&mut Dice::new(1), 8);
+    let one = scattered(&mut XorShift::new(1), 8);
     assert!(one.items.len() == 1 && ShareBound::new(&one).is_none());
 }

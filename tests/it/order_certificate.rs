@@ -4,7 +4,7 @@
 use crate::certificate::grid;
 use crate::lower_bound::entered_anywhere;
 use crate::testkit::outlines::drawing;
-use crate::testkit::sheets::{Dice, machine, nested_sheet};
+use crate::testkit::sheets::{XorShift, machine, nested_sheet};
 use crate::walk_certificate::{of_every_kind, some};
 use kerfway::drawing::TextDecoder;
 use kerfway::geometry::DVec2;
@@ -34,10 +34,10 @@ fn best_of_orders(problem: &Problem, certificate: &WalkCertificate, stated: f64)
 
 #[test]
 fn optima_of_every_kind_are_certified() {
-    let mut dice = Dice::new(47);
+    let mut rng = XorShift::new(47);
     let (mut by_orders, mut less, mut proven) = (0, 0, 0);
     for k in 0..400_u64 {
-        let problem = of_every_kind(&mut dice, k);
+        let problem = of_every_kind(&mut rng, k);
         let least = solve::exact(&problem).unwrap().cost;
         // A path is known that is a little longer, so that there are orders that may take less.
         let (value, certificate) = certified(&problem, 1.01 * least, 3_000_000);
@@ -70,10 +70,10 @@ fn optima_of_every_kind_are_certified() {
 /// otherwise nothing above it.
 #[test]
 fn any_numbers_find_the_best_order() {
-    let mut dice = Dice::new(53);
+    let mut rng = XorShift::new(53);
     let (mut exact, mut lower) = (0, 0);
     for k in 0..600_u64 {
-        let problem = of_every_kind(&mut dice, k);
+        let problem = of_every_kind(&mut rng, k);
         let least = solve::exact(&problem).unwrap().cost;
         let (_, good) = certified(&problem, 2.0 * least + 1.0, 30_000);
         if good.seconds() <= 1e-3 * least {
@@ -84,11 +84,11 @@ fn any_numbers_find_the_best_order() {
         for turn in 0..3 {
             let mut changed = good.clone();
             let size = 1 + good.bound / 4;
-            let mut any = || i64::try_from(dice.below(u64::try_from(2 * size).unwrap())).unwrap() - size;
+            let mut any = || i64::try_from(rng.below(u64::try_from(2 * size).unwrap())).unwrap() - size;
             changed.charges[first..].iter_mut().for_each(|charge| *charge += any());
-            (first..count).for_each(|i| changed.company[i] = some(&mut dice, first, count, 5));
+            (first..count).for_each(|i| changed.ng_sets[i] = some(&mut rng, first, count, 5));
             if turn == 2 && !given {
-                (first..count).for_each(|i| changed.near[i] = some(&mut dice, i + 1, count, 5));
+                (first..count).for_each(|i| changed.near[i] = some(&mut rng, i + 1, count, 5));
             }
             let found = best_of_orders(&problem, &changed, 3.0 * least);
             assert!(found <= least + 1e-9 * least.abs(), "{k}, {turn}: {found} above {least}");

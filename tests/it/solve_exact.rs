@@ -2,7 +2,7 @@
 //! instance.
 
 use crate::testkit::exact::{MOST_ITEMS, assert_methods_reach};
-use crate::testkit::sheets::{Builder, Dice, machine, nested_sheet, p, rectangle, slot};
+use crate::testkit::sheets::{Builder, XorShift, machine, nested_sheet, p, rectangle, slot};
 use kerfway::drawing::ReadOptions;
 use kerfway::geometry::{Arc, DVec2, Path, Segment, math};
 use kerfway::job::problem_of;
@@ -39,13 +39,13 @@ const NEAR: f64 = 2e-6;
 fn contours_are_entered_where_the_whole_job_is_fastest() {
     for profile in presets() {
         for seed in 0..9 {
-            let mut dice = Dice::new(seed);
-            let size = p(dice.between(8.0, 60.0), dice.between(5.0, 40.0));
+            let mut rng = XorShift::new(seed);
+            let size = p(rng.between(8.0, 60.0), rng.between(5.0, 40.0));
             let mut b = Builder::new();
             b.cut(rectangle(p(40.0, 30.0), size), None);
-            b.cut(slot(p(150.0, dice.between(-50.0, 90.0)), size.x, 0.3 + 0.02 * size.y), None);
+            b.cut(slot(p(150.0, rng.between(-50.0, 90.0)), size.x, 0.3 + 0.02 * size.y), None);
             let mut machine = profile.clone();
-            machine.home = [dice.between(-30.0, 120.0), dice.between(-60.0, 20.0)];
+            machine.home = [rng.between(-30.0, 120.0), rng.between(-60.0, 20.0)];
             let problem = problem_of(&b.sheet, &machine);
             let mut search = solve::methods()[0].start(&problem, seed, None);
             search.step(30_000);
@@ -112,7 +112,7 @@ fn moved_turned_mirrored_scaled_shuffled_sheets_cost_the_same() {
     for (contours, seed) in [(5, 1), (5, 2), (90, 3)] {
         let sheet = nested_sheet(contours, seed);
         let mut order: Vec<u32> = (0..).take(sheet.contours.len()).collect();
-        Dice::new(seed).shuffle(&mut order);
+        XorShift::new(seed).shuffle(&mut order);
         let machine = machine("length");
         let problem = problem_of(&sheet, &machine);
         let search = |problem: &Problem| {

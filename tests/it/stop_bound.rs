@@ -4,7 +4,7 @@
 
 use crate::groups_left;
 use crate::solve_partial::{at_corners, hull};
-use crate::testkit::sheets::{Dice, machine, nested_sheet, p};
+use crate::testkit::sheets::{XorShift, machine, nested_sheet, p};
 use kerfway::geometry::DVec2;
 use kerfway::job::problem_of;
 use kerfway::machine::{AirTime, Profile};
@@ -30,19 +30,19 @@ fn bound(problem: &Problem, work: u32) -> StopBound {
 }
 
 /// Scattered contours of a few nodes, most of which may be left, and open ones.
-fn scattered(dice: &mut Dice, k: u64) -> Problem {
+fn scattered(rng: &mut XorShift, k: u64) -> Problem {
     let names = ["length", "length-chebyshev", "co2-100w", "fibre-3kw-thin"];
     let mut machine = machine(names[usize::try_from(k).unwrap() % names.len()]);
     machine.return_home = k.is_multiple_of(2);
     let (mut items, mut nodes) = (Vec::new(), Vec::<Node>::new());
     for item in 0..1 + u32::try_from(k % 3).unwrap() {
         let first = NodeId::try_from(nodes.len()).unwrap();
-        let corner = p(dice.below(300) as f64, dice.below(200) as f64);
+        let corner = p(rng.below(300) as f64, rng.below(200) as f64);
         let open = k % 7 == 3 && item == 0;
-        let count = if open { 2 } else { 2 + u32::try_from(dice.below(4)).unwrap() };
+        let count = if open { 2 } else { 2 + u32::try_from(rng.below(4)).unwrap() };
         let size = [20, 150, 400][usize::try_from(k / 3 % 3).unwrap()];
         let places: Vec<DVec2> =
-            (0..count).map(|_| corner + p(dice.below(size) as f64, dice.below(size) as f64)).collect();
+            (0..count).map(|_| corner + p(rng.below(size) as f64, rng.below(size) as f64)).collect();
         for (place, id) in places.iter().zip(first..) {
             let exit = if open { places[usize::from(id == first)] } else { *place };
             let twin = if open { first + 1 - (id - first) } else { id };
@@ -126,10 +126,10 @@ fn shortest(problem: &Problem) -> f64 {
 /// Never above the optimum over all ways, and near it.
 #[test]
 fn contours_that_may_be_left_at_their_nodes() {
-    let mut dice = Dice::new(30);
+    let mut rng = XorShift::new(30);
     let (mut sum, mut sum_least) = (0.0, 0.0);
     for k in 0..900 {
-        let problem = scattered(&mut dice, k);
+        let problem = scattered(&mut rng, k);
         let least = shortest(&problem);
         let found = bound(&problem, 400_000).value();
         assert!(found <= least * (1.0 + 1e-12) + 1e-12, "{k}: {found} above {least}");

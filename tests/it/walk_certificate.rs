@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use crate::lower_bound::{entered_anywhere, scattered};
-use crate::testkit::sheets::{Dice, machine, nested_sheet};
+use crate::testkit::sheets::{XorShift, machine, nested_sheet};
 use kerfway::geometry::DVec2;
 use kerfway::job::problem_of;
 use kerfway::plan::{CertificateFault, Certified, LowerBound, MixedLegs, Part, PricedCut, WalkCertificate};
@@ -29,8 +29,8 @@ fn proven(problem: &Problem, certificate: &WalkCertificate) -> Result<f64, Certi
 }
 
 /// Scattered items of every kind and, every fourth time, tables of costs, every other one of them not the same both ways.
-pub(crate) fn of_every_kind(dice: &mut Dice, k: u64) -> Problem {
-    let mut problem = scattered(dice, k);
+pub(crate) fn of_every_kind(rng: &mut XorShift, k: u64) -> Problem {
+    let mut problem = scattered(rng, k);
     if k % 4 != 3 || problem.items.len() < 2 {
         return problem;
     }
@@ -38,7 +38,7 @@ pub(crate) fn of_every_kind(dice: &mut Dice, k: u64) -> Problem {
     let ordered = k % 16 == 3 && problem.items.len() > 3;
     problem.pairs = if ordered { vec![(1, 0), (2, 1)] } else { Vec::new() };
     let n = problem.nodes.len();
-    let mut costs: Vec<f64> = (0..n * n).map(|_| dice.below(1000) as f64).collect();
+    let mut costs: Vec<f64> = (0..n * n).map(|_| rng.below(1000) as f64).collect();
     if k % 8 == 3 {
         for a in 0..n {
             for b in 0..a {
@@ -52,11 +52,11 @@ pub(crate) fn of_every_kind(dice: &mut Dice, k: u64) -> Problem {
 
 #[test]
 fn certificates_prove_the_bound_and_no_more_than_the_optimum() {
-    let mut dice = Dice::new(23);
+    let mut rng = XorShift::new(23);
     let (mut open, mut paired, mut ordered, mut directed, mut higher) = (0, 0, 0, 0, 0);
     let (mut sum, mut sum_least) = (0.0, 0.0);
     for k in 0..800_u64 {
-        let problem = of_every_kind(&mut dice, k);
+        let problem = of_every_kind(&mut rng, k);
         let least = solve::exact(&problem).unwrap().cost;
         let (value, certificate) = certified(&problem, least, 150_000);
         let seconds = proven(&problem, &certificate).unwrap();
@@ -128,23 +128,29 @@ fn sheets_with_cuts_and_far_contours() {
 }
 
 /// Some numbers of the list, in ascending order.
-pub(crate) fn some(dice: &mut Dice, from: usize, count: usize, of_ten: u64) -> Vec<usize> {
-    (from..count).filter(|_| dice.below(10) < of_ten).collect()
+pub(crate) fn some(rng: &mut XorShift, from: usize, count: usize, of_ten: u64) -> Vec<usize> {
+    (from..count).filter(|_| rng.below(10) < of_ten).collect()
 }
 
 /// A cut of some items, or of some knots of items beside them.
-pub(crate) fn cut(dice: &mut Dice, count: usize, knots: &[usize], paired: &[bool], price: i64) -> PricedCut {
+pub(crate) fn cut(
+    rng: &mut XorShift,
+    count: usize,
+    knots: &[usize],
+    paired: &[bool],
+    price: i64,
+) -> PricedCut {
     let first = count - knots.len();
-    let members = some(dice, first, count, 3);
+    let members = some(rng, first, count, 3);
     let mut parts: Vec<Part> = Vec::new();
-    for item in some(dice, first, count, 3).into_iter().filter(|i| !members.contains(i)) {
+    for item in some(rng, first, count, 3).into_iter().filter(|i| !members.contains(i)) {
         let step = if paired[item - first] { 2 } else { 1 };
-        let ends = some(dice, 0, knots[item - first] / step, 5);
+        let ends = some(rng, 0, knots[item - first] / step, 5);
         let knots: Vec<usize> = ends.into_iter().flat_map(|k| step * k..step * (k + 1)).collect();
         parts.push(Part { item, knots });
     }
-    let at = usize::try_from(dice.below(2)).unwrap();
-    let visited = if members.is_empty() || dice.below(2) == 0 { parts.get(at) } else { None };
+    let at = usize::try_from(rng.below(2)).unwrap();
+    let visited = if members.is_empty() || rng.below(2) == 0 { parts.get(at) } else { None };
     PricedCut { visited: visited.map(|p| p.item), members, parts, price }
 }
 
@@ -165,13 +171,13 @@ pub(crate) fn knots_of(problem: &Problem) -> (Vec<usize>, Vec<bool>) {
     items.into_iter().unzip()
 }
 
-/// Whatever the numbers are, no more than the optimum is proven: charges, company, near items, and cuts by the places in them.
+/// Whatever the numbers are, no more than the optimum is proven: charges, ng-sets, near items, and cuts by the places in them.
 #[test]
 fn any_numbers_prove_no_more_than_the_optimum() {
-    let mut dice = Dice::new(31);
+    let mut rng = XorShift::new(31);
     let (mut more, mut less, mut through) = (0, 0, 0);
     for k in 0..1500_u64 {
-        let problem = of_every_kind(&mut dice, k);
+        let problem = of_every_kind(&mut rng, k);
         let least = solve::exact(&problem).unwrap().cost;
         let (_, good) = certified(&problem, least, 30_000);
         let before = proven(&problem, &good).unwrap();
@@ -182,23 +188,23 @@ fn any_numbers_prove_no_more_than_the_optimum() {
         for turn in 0..5 {
             let mut changed = good.clone();
             let size = 1 + good.charges.iter().map(|c| c.abs()).max().unwrap() / 4;
-            let mut any = |most: i64| i64::try_from(dice.below(u64::try_from(most).unwrap())).unwrap();
+            let mut any = |most: i64| i64::try_from(rng.below(u64::try_from(most).unwrap())).unwrap();
             if turn % 2 == 0 {
                 changed.charges[first..].iter_mut().for_each(|c| *c += any(2 * size) - size);
             }
             if turn > 0 {
                 for _ in 0..3 {
                     let price = if turn == 4 { 8 * size } else { 1 + size / 3 };
-                    let cut = cut(&mut dice, count, &knots, &paired, price);
+                    let cut = cut(&mut rng, count, &knots, &paired, price);
                     through += i32::from(cut.visited.is_some());
                     changed.cuts.push(cut);
                 }
                 changed.cuts.retain(|c| c.visited.is_some() || !c.members.is_empty());
             }
             if turn == 3 {
-                (first..count).for_each(|i| changed.company[i] = some(&mut dice, first, count, 6));
+                (first..count).for_each(|i| changed.ng_sets[i] = some(&mut rng, first, count, 6));
                 if !given {
-                    (first..count).for_each(|i| changed.near[i] = some(&mut dice, i + 1, count, 7));
+                    (first..count).for_each(|i| changed.near[i] = some(&mut rng, i + 1, count, 7));
                 }
             }
             // All legs are priced by boxes, which cuts make cheaper, too.
@@ -216,13 +222,13 @@ fn any_numbers_prove_no_more_than_the_optimum() {
 
 /// What walks remember decides what they prove.
 #[test]
-fn without_company_less_is_proven() {
-    let (mut dice, mut less) = (Dice::new(5), 0);
+fn without_ng_sets_less_is_proven() {
+    let (mut rng, mut less) = (XorShift::new(5), 0);
     for k in 0..60_u64 {
-        let problem = scattered(&mut dice, 7 + 8 * (k % 9));
+        let problem = scattered(&mut rng, 7 + 8 * (k % 9));
         let (_, good) = certified(&problem, solve::exact(&problem).unwrap().cost, 150_000);
         let with = proven(&problem, &good).unwrap();
-        let without = WalkCertificate { company: vec![Vec::new(); good.company.len()], ..good };
+        let without = WalkCertificate { ng_sets: vec![Vec::new(); good.ng_sets.len()], ..good };
         let without = proven(&problem, &without).unwrap();
         assert!(without <= with);
         less += i32::from(without < with - 1.0);
@@ -254,7 +260,7 @@ fn charges_whose_sums_do_not_fit_are_refused() {
         unit: -27,
         knots: vec![Vec::new(); all],
         near: lists.clone(),
-        company: lists,
+        ng_sets: lists,
         charges: charges(1 << 50),
         ..WalkCertificate::default()
     };
@@ -264,7 +270,7 @@ fn charges_whose_sums_do_not_fit_are_refused() {
 
 #[test]
 fn lists_that_do_not_fit_are_refused() {
-    let problem = scattered(&mut Dice::new(3), 14);
+    let problem = scattered(&mut XorShift::new(3), 14);
     let (_, good) = certified(&problem, 1000.0, 100_000);
     let home = good.charges.len() - problem.items.len();
     let refused = |change: &dyn Fn(&mut WalkCertificate)| {
@@ -284,12 +290,12 @@ fn lists_that_do_not_fit_are_refused() {
         assert_eq!(refused(change), fault("charges"));
     }
     for change in [
-        &|c: &mut WalkCertificate| c.company.truncate(2),
-        &|c: &mut WalkCertificate| c.company[2] = vec![0],
-        &|c: &mut WalkCertificate| c.company[2] = vec![4, 3],
-        &|c: &mut WalkCertificate| c.company[2] = vec![3, 3],
-        &|c: &mut WalkCertificate| c.company[2] = vec![usize::MAX],
-        &|c: &mut WalkCertificate| c.company[0] = vec![3],
+        &|c: &mut WalkCertificate| c.ng_sets.truncate(2),
+        &|c: &mut WalkCertificate| c.ng_sets[2] = vec![0],
+        &|c: &mut WalkCertificate| c.ng_sets[2] = vec![4, 3],
+        &|c: &mut WalkCertificate| c.ng_sets[2] = vec![3, 3],
+        &|c: &mut WalkCertificate| c.ng_sets[2] = vec![usize::MAX],
+        &|c: &mut WalkCertificate| c.ng_sets[0] = vec![3],
     ] as [&dyn Fn(&mut WalkCertificate); 6]
     {
         assert_eq!(refused(change), fault("lists of company"));
@@ -334,7 +340,7 @@ fn lists_that_do_not_fit_are_refused() {
     assert_eq!(why, CertificateFault::Problem);
     assert_eq!(why.to_string(), "The problem has no bound of the kind that the certificate is of.");
     // With a table of costs, boxes mean nothing.
-    let mut given = scattered(&mut Dice::new(3), 14);
+    let mut given = scattered(&mut XorShift::new(3), 14);
     let n = given.nodes.len();
     given.table = Table::new(n, vec![1.0; n * n]);
     (given.pairs, given.closed) = (Vec::new(), true);
@@ -357,7 +363,7 @@ fn what_takes_too_long_to_check_is_refused() {
         assert!(start.elapsed().as_secs() < 20, "{:?}", start.elapsed());
     };
     let mut remembers_all = good.clone();
-    (1..count).for_each(|i| remembers_all.company[i] = (1..count).collect());
+    (1..count).for_each(|i| remembers_all.ng_sets[i] = (1..count).collect());
     refused(remembers_all, "states of walks");
     let knots = |n: u32| {
         let mut certificate = good.clone();
@@ -368,9 +374,9 @@ fn what_takes_too_long_to_check_is_refused() {
         certificate
     };
     refused(knots(20_000), "knots");
-    refused(WalkCertificate { company: vec![Vec::new(); count], ..knots(2000) }, "legs between knots");
+    refused(WalkCertificate { ng_sets: vec![Vec::new(); count], ..knots(2000) }, "legs between knots");
     let mut remembers_some = knots(2000);
-    (1..count).for_each(|i| remembers_some.company[i] = (i + 1..count.min(i + 9)).collect());
+    (1..count).for_each(|i| remembers_some.ng_sets[i] = (i + 1..count.min(i + 9)).collect());
     refused(remembers_some, "knots in states of walks");
     let mut slow = knots(130);
     slow.cuts = vec![PricedCut { members: vec![1], parts: Vec::new(), visited: None, price: 1 }; 2000];

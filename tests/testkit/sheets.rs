@@ -131,10 +131,10 @@ impl Builder {
     }
 }
 
-/// A generator of numbers for test data.
-pub struct Dice(u64);
+/// A xorshift generator of numbers for test data. Seeds of tests with literal expectations belong to it; new tests use [`rng`](super::rng).
+pub struct XorShift(u64);
 
-impl Dice {
+impl XorShift {
     pub fn new(seed: u64) -> Self {
         Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
     }
@@ -173,24 +173,23 @@ pub fn nested_sheet_with_gaps(contours: usize, seed: u64) -> Sheet {
 
 fn nest(contours: usize, seed: u64, gaps: bool) -> Sheet {
     let width = if gaps { 80.0 } else { 60.0 };
-    let mut dice = Dice::new(seed);
+    let mut rng = XorShift::new(seed);
     let mut b = Builder::new();
     let columns = u32::try_from(contours / 5).unwrap().isqrt().max(1);
     let mut cell = 0;
     while b.sheet.contours.len() < contours {
         let at = p(f64::from(cell % columns) * width, f64::from(cell / columns) * 45.0);
         cell += 1;
-        let size = p(dice.between(30.0, 55.0), dice.between(25.0, 40.0));
-        let jitter = p(dice.between(0.0, 4.0), dice.between(0.0, 4.0));
+        let size = p(rng.between(30.0, 55.0), rng.between(25.0, 40.0));
+        let jitter = p(rng.between(0.0, 4.0), rng.between(0.0, 4.0));
         let (corner, middle) = (at + jitter, at + jitter + size / 2.0);
-        match dice.below(4) {
+        match rng.below(4) {
             0 => {
                 let outer = b.cut(rectangle(corner, size), None);
                 let mut holes: Vec<(DVec2, f64)> = Vec::new();
-                for _ in 0..1 + dice.below(6) {
-                    let where_to =
-                        corner + p(dice.between(4.0, size.x - 4.0), dice.between(4.0, size.y - 4.0));
-                    let radius = dice.between(0.5, 1.5);
+                for _ in 0..1 + rng.below(6) {
+                    let where_to = corner + p(rng.between(4.0, size.x - 4.0), rng.between(4.0, size.y - 4.0));
+                    let radius = rng.between(0.5, 1.5);
                     let is_clear = |&(other, r): &(DVec2, f64)| other.distance(where_to) > r + radius + 0.5;
                     if !gaps || holes.iter().all(is_clear) {
                         holes.push((where_to, radius));
@@ -210,16 +209,16 @@ fn nest(contours: usize, seed: u64, gaps: bool) -> Sheet {
                 b.cut(circle(middle + p(1.0, 0.0), 2.0), Some(island));
             }
             _ => {
-                let corners = 3 + dice.below(9);
+                let corners = 3 + rng.below(9);
                 let points: Vec<DVec2> = (0..corners)
                     .map(|k| {
                         let turn =
-                            (k as f64 + dice.between(0.0, 0.8)) * std::f64::consts::TAU / corners as f64;
-                        middle + dice.between(8.0, 12.0) * kerfway::geometry::math::unit(turn)
+                            (k as f64 + rng.between(0.0, 0.8)) * std::f64::consts::TAU / corners as f64;
+                        middle + rng.between(8.0, 12.0) * kerfway::geometry::math::unit(turn)
                     })
                     .collect();
                 b.cut(polygon(&points), None);
-                b.cut(line(corner, corner + p(dice.between(1.0, 6.0), 2.0)), None);
+                b.cut(line(corner, corner + p(rng.between(1.0, 6.0), 2.0)), None);
             }
         }
     }

@@ -255,21 +255,28 @@ impl<'d> Pen<'d> {
         (p / self.dialect.units.mm() * self.grid).round() / self.grid
     }
 
+    /// A step of the grid, mm.
+    fn step(&self) -> f64 {
+        self.dialect.units.mm() / self.grid
+    }
+
+    /// Where the head is, mm.
+    fn head(&self) -> DVec2 {
+        self.at * self.dialect.units.mm()
+    }
+
     /// Whether an element is shorter than a step of the grid and ends within one of where the head is, so that several in a row
     /// are not lost.
     fn is_within_a_step(&self, segment: &Segment) -> bool {
-        let unit = self.dialect.units.mm();
-        let step = unit / self.grid;
-        segment.length() < step && segment.end().distance(self.at * unit) < step
+        segment.length() < self.step() && segment.end().distance(self.head()) < self.step()
     }
 
     /// Whether a short line from where the head is to the end of the next line passes these places, the last of which is between
     /// the two lines.
     fn passes(&self, places: &[DVec2], line: &Segment, next: &Segment) -> bool {
         let (Segment::Line(_), Segment::Line(_)) = (line, next) else { return false };
-        let unit = self.dialect.units.mm();
-        let step = unit / self.grid;
-        let whole = Segment::line(self.at * unit, next.end());
+        let step = self.step();
+        let whole = Segment::line(self.head(), next.end());
         whole.length() < SHORT * step && places.iter().all(|p| whole.nearest(*p).1.sqrt() <= 0.5 * step)
     }
 

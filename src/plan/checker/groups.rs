@@ -77,6 +77,19 @@ impl<'s> Groups<'s> {
         self.work.iter().map(|work| work.group)
     }
 
+    /// The path of each contour; where the plan cuts a group as one, its path in the group.
+    pub(super) fn paths(&self) -> Vec<&Path> {
+        let mut paths: Vec<&Path> = self.sheet.contours.iter().map(|c| &c.path).collect();
+        for group in self.each() {
+            for (&contour, joined) in group.contours.iter().zip(&group.paths) {
+                if let Some(path) = paths.get_mut(contour as usize) {
+                    *path = joined;
+                }
+            }
+        }
+        paths
+    }
+
     /// Whether a contour is cut with its group.
     pub(super) fn holds(&self, contour: u32) -> bool {
         self.of.get(contour as usize).is_some_and(Option::is_some)

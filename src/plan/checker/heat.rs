@@ -2,13 +2,13 @@
 //!
 //! A cut through waste belongs to the cut that follows it: that one begins where the beam does.
 //!
-//! It shares no formula with `src/heat` and `plan/cooled.rs`: seconds are added up with the formulas of `sums.rs`, and the distance of two
+//! It shares no formula with `src/heat` and `plan/cooled.rs`: seconds are added up with the formulas of `textbook.rs`, and the distance of two
 //! lines is that of places along one from the elements of the other, halved until it is clear.
 
-use super::sums::{air_time, is_lifted, trapezoid};
+use super::textbook::{air_time, is_lifted, trapezoid};
 use super::violation::Violation;
 use crate::geometry::{Aabb, DVec2, Path, Segment};
-use crate::machine::{PLANS_ALL_LEVERS, Profile, cut_time};
+use crate::machine::{Heat, PLANS_ALL_LEVERS, Profile, cut_time};
 use crate::plan::model::{Move, Plan};
 use crate::sheet::{Operation, Sheet};
 
@@ -17,12 +17,12 @@ const SAME: f64 = 1e-5;
 /// Most places along a line that are tried: lines that run beside each other at just the distance are too close to call.
 const MOST: u32 = 20_000;
 
-/// A cut that has ended.
-struct Ended<'s> {
+/// A cut that heats what is near it.
+struct Heated<'s> {
     contour: u32,
     line: &'s Path,
     bounds: Aabb,
-    /// When, s.
+    /// When it ended, s; as long as it has not, when it began.
     at: f64,
 }
 
@@ -41,49 +41,29 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     }
     let heat = machine.levers.heat.filter(|h| h.distance > 0.0 && h.seconds > 0.0);
     let waits = heat.is_some_and(|h| h.charge.is_none());
-    let (distance, seconds) = heat.map_or((0.0, 0.0), |h| (h.distance, h.seconds));
     let mut clock = Clock::new(sheet, machine);
-    let mut ended: Vec<Ended> = Vec::new();
-    // When the head arrived where it is, when it had waited there, and by which move it did.
+    let mut cuts = Cuts { heat, waits, heated: Vec::new(), surely: 0, perhaps: 0 };
+    // When the head arrived where it is, or had waited there, and the move that waited.
     let (mut begins, mut waited) = (0.0, None);
-    // Pairs that are too hot in any case, and those that are too close to call as well.
-    let (mut surely, mut perhaps) = (0_u32, 0_u32);
     for (step, m) in plan.moves.iter().enumerate() {
         if let Move::Cut { contour, .. } = m
-            && ended.last().is_none_or(|e| e.contour != *contour)
+            && cuts.heated.last().is_none_or(|e| e.contour != *contour)
             && let Some(line) = hot_line(sheet, *contour)
         {
             let bounds = line.bounds();
-            let mut may_begin = 0.0_f64;
-            for before in ended.iter().rev() {
-                let apart = begins - before.at;
-                if heat.is_none() || apart >= seconds + SAME {
-                    break;
-                }
-                let near = near((line, &bounds), (before.line, &before.bounds), distance);
-                if near != Near::No {
-                    may_begin = may_begin.max(before.at + seconds);
-                }
-                if apart < seconds - SAME && near == Near::Surely {
-                    surely += 1;
-                    if waits {
-                        let (contour, hot) = (*contour, before.contour);
-                        found.push(Violation::Hot { step, contour, hot, seconds: apart });
-                    }
-                }
-                perhaps += u32::from(near != Near::No);
-            }
+            let cut = Heated { contour: *contour, line, bounds, at: begins };
+            let may_begin = cuts.may_begin(step, &cut, found);
             if let Some(wait) = waited.take()
                 && (!waits || begins > may_begin + SAME)
             {
                 found.push(Violation::NeedlessWait { step: wait });
             }
-            ended.push(Ended { contour: *contour, line, bounds, at: begins });
+            cuts.heated.push(cut);
         }
         clock.add(m, plan.moves.get(step + 1).is_some_and(Move::runs_on));
         match m {
             Move::Cut { contour, .. } => {
-                if let Some(last) = ended.last_mut().filter(|e| e.contour == *contour) {
+                if let Some(last) = cuts.heated.last_mut().filter(|e| e.contour == *contour) {
                     last.at = clock.seconds;
                 }
                 begins = clock.seconds;
@@ -99,10 +79,48 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     }
     found.extend(waited.map(|step| Violation::NeedlessWait { step }));
     let says = plan.summary.hot_pairs;
-    let most = if waits { 0 } else { perhaps };
-    if !(surely.min(most)..=most).contains(&says) {
-        let (what, says, found_pairs) = ("the number of hot pairs", f64::from(says), f64::from(surely));
+    let most = if waits { 0 } else { cuts.perhaps };
+    if !(cuts.surely.min(most)..=most).contains(&says) {
+        let (what, says, found_pairs) = ("the number of hot pairs", f64::from(says), f64::from(cuts.surely));
         found.push(Violation::Sum { what, says, found: found_pairs });
+    }
+}
+
+/// The cuts so far, and how many pairs of them are too hot.
+struct Cuts<'c> {
+    heat: Option<Heat>,
+    /// Whether the head waits, so that there are no hot pairs.
+    waits: bool,
+    heated: Vec<Heated<'c>>,
+    /// Pairs that are too hot in any case, and those that are too close to call as well.
+    surely: u32,
+    perhaps: u32,
+}
+
+impl Cuts<'_> {
+    /// When a cut may begin, s, that begins at its time: once those near it have cooled. Counts those that have not.
+    fn may_begin(&mut self, step: usize, cut: &Heated, found: &mut Vec<Violation>) -> f64 {
+        let mut may_begin = 0.0_f64;
+        let Some(heat) = self.heat else { return may_begin };
+        for before in self.heated.iter().rev() {
+            let apart = cut.at - before.at;
+            if apart >= heat.seconds + SAME {
+                break;
+            }
+            let near = near((cut.line, &cut.bounds), (before.line, &before.bounds), heat.distance);
+            if near != Near::No {
+                may_begin = may_begin.max(before.at + heat.seconds);
+            }
+            if apart < heat.seconds - SAME && near == Near::Surely {
+                self.surely += 1;
+                if self.waits {
+                    let (contour, hot) = (cut.contour, before.contour);
+                    found.push(Violation::Hot { step, contour, hot, seconds: apart });
+                }
+            }
+            self.perhaps += u32::from(near != Near::No);
+        }
+        may_begin
     }
 }
 

@@ -94,69 +94,35 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     if machine.joints.is_none() && sheet.joints.is_empty() && sheet.choices.is_empty() && !any {
         return;
     }
-    let mut work: Vec<Work> = sheet.contours.iter().map(|_| Work::default()).collect();
-    for (step, m) in plan.moves.iter().enumerate() {
-        match m {
-            Move::Joint { contour, path, flying } => {
-                let Some(work) = work.get_mut(*contour as usize) else { continue };
-                work.joints.push(Made { step, path: path.clone(), flying: Some(*flying) });
-            }
-            Move::Cut { contour, path, leads, mark: false, .. } => {
-                let Some(work) = work.get_mut(*contour as usize) else { continue };
-                let [_, on, overcut, _] = leads.divide(path);
-                work.first = work.first.or(on.first().map(|s| (step, s.start())));
-                work.last = on.last().map(Segment::end).or(work.last);
-                work.cut += length_of(on);
-                work.overcut += length_of(overcut);
-                if work.joints.is_empty() {
-                    work.begins += length_of(on);
-                }
-            }
-            _ => {}
-        }
-    }
     let others = Others::new(sheet);
     // What may be cut as one has no joints, whether the plan cuts it as one or contour by contour.
     let groups = sheet.cut_as_one(machine.cuts_as_one());
     let grouped: FxHashSet<u32> = groups.iter().flat_map(|g| &g.contours).copied().collect();
     // Number of joints, and of those among them that may be gaps of overcuts instead.
     let (mut count, mut either) = (0_u32, 0_u32);
-    for (id, (contour, mut work)) in (0..).zip(sheet.contours.iter().zip(work)) {
+    for (id, (contour, mut work)) in (0..).zip(sheet.contours.iter().zip(work(sheet, plan))) {
         let Some((step, _)) = work.first else { continue };
         let asked = asked(sheet, machine, id).filter(|_| !grouped.contains(&id));
         let Some((rule, by_hand)) = asked else {
             if let Some(joint) = work.joints.first() {
-                let at = joint.path.first().map(Segment::start).unwrap_or_default();
-                found.push(Violation::Joint {
-                    step: joint.step,
-                    contour: id,
-                    what: "is one that nothing asks for",
-                    at,
-                });
+                let (step, at) = (joint.step, start_of(joint));
+                let what = "is one that nothing asks for";
+                found.push(Violation::Joint { step, contour: id, what, at });
             }
             continue;
         };
-        let gap = rule.width + machine.kerf_width;
         let on = On {
             id,
             contour,
             others: &others,
-            gap,
+            gap: rule.width + machine.kerf_width,
             clearance: rule.corner_clearance,
             corners: corners(&contour.path),
         };
-        let uncut =
-            contour.path.length() - work.cut - work.joints.iter().map(|j| length_of(&j.path)).sum::<f64>();
-        if let (Some((_, start)), Some(end)) = (work.first, work.last)
-            && (uncut - gap).abs() <= LENGTH
-        {
-            // The contour begins at a joint, which no move leaves.
-            let along = |p| contour.path.nearest(p).map_or(0.0, |n| n.0);
-            let path = contour.path.between(along(end), along(start));
-            let joint = Made { step, path, flying: None };
+        if let Some(joint) = at_beginning(&on, &work) {
             // An overcut may leave a gap of the same length, also where no joint fits.
             let overcut = lead_rule(sheet, machine, id, contour).flatten().map_or(0.0, |rule| rule.overcut);
-            let is_either = (overcut + gap).abs() <= LENGTH;
+            let is_either = (overcut + on.gap).abs() <= LENGTH;
             let fits =
                 || on.fault(&joint, rule.kind).is_none() && !(by_hand && all_made(sheet, id, &work.joints));
             if !is_either || fits() {
@@ -171,7 +137,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             }
         }
         if work.overcut > work.begins + SAME {
-            let at = work.joints.first().and_then(|j| j.path.first()).map(Segment::start).unwrap_or_default();
+            let at = work.joints.first().map(start_of).unwrap_or_default();
             found.push(Violation::Joint { step, contour: id, what: "is cut by an overcut", at });
         }
         let missing =
@@ -185,6 +151,48 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         let (says, found_count) = (f64::from(plan.summary.joints), f64::from(least));
         found.push(Violation::Sum { what: "the number of joints", says, found: found_count });
     }
+}
+
+/// What the plan makes of each contour.
+fn work(sheet: &Sheet, plan: &Plan) -> Vec<Work> {
+    let mut all: Vec<Work> = sheet.contours.iter().map(|_| Work::default()).collect();
+    for (step, m) in plan.moves.iter().enumerate() {
+        match m {
+            Move::Joint { contour, path, flying } => {
+                let Some(work) = all.get_mut(*contour as usize) else { continue };
+                work.joints.push(Made { step, path: path.clone(), flying: Some(*flying) });
+            }
+            Move::Cut { contour, path, leads, mark: false, .. } => {
+                let Some(work) = all.get_mut(*contour as usize) else { continue };
+                let [_, on, overcut, _] = leads.divide(path);
+                work.first = work.first.or(on.first().map(|s| (step, s.start())));
+                work.last = on.last().map(Segment::end).or(work.last);
+                work.cut += length_of(on);
+                work.overcut += length_of(overcut);
+                if work.joints.is_empty() {
+                    work.begins += length_of(on);
+                }
+            }
+            _ => {}
+        }
+    }
+    all
+}
+
+/// The joint at which a contour begins, which no move leaves: what is uncut besides the other joints is as long as a joint.
+fn at_beginning(on: &On, work: &Work) -> Option<Made> {
+    let (step, start) = work.first?;
+    let end = work.last?;
+    let left = work.joints.iter().map(|j| length_of(&j.path)).sum::<f64>();
+    let uncut = on.contour.path.length() - work.cut - left;
+    ((uncut - on.gap).abs() <= LENGTH).then(|| {
+        let along = |p| on.contour.path.nearest(p).map_or(0.0, |n| n.0);
+        Made { step, path: on.contour.path.between(along(end), along(start)), flying: None }
+    })
+}
+
+fn start_of(joint: &Made) -> DVec2 {
+    joint.path.first().map(Segment::start).unwrap_or_default()
 }
 
 /// Whether these are as many joints as a person placed on a contour.

@@ -4,7 +4,7 @@
 //! from the ramps of both axes.
 
 use super::fractions::fractions;
-use super::sums::trapezoid;
+use super::textbook::trapezoid;
 use crate::geometry::DVec2;
 use crate::machine::{Profile, Travel};
 

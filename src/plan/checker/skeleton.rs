@@ -3,7 +3,7 @@
 //! Distances are those of chords: arcs are divided until no chord is farther than a micrometre from its arc, and the distance of
 //! two straight lines is that of an end of one from the other, unless they cross.
 
-use super::sums::{air_time, is_lifted};
+use super::textbook::{air_time, is_lifted};
 use super::violation::Violation;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Segment};
 use crate::machine::{Profile, cut_time};

@@ -76,7 +76,7 @@ impl Ground {
                 return false;
             }
             past.push(v.item);
-            past.retain(|p| *p == v.item || self.company[v.item].contains(p));
+            past.retain(|p| *p == v.item || self.ng_sets[v.item].contains(p));
         }
         true
     }
@@ -89,8 +89,8 @@ impl Ground {
         if self.order.is_free() || past == 0 || future == 0 {
             return true;
         }
-        let later = remembered(&self.company, item, future);
-        let earlier = remembered(&self.company, item, past);
+        let later = remembered(&self.ng_sets, item, future);
+        let earlier = remembered(&self.ng_sets, item, past);
         !earlier.iter().any(|&p| later.iter().any(|&l| self.order.forbids(p, l, false)))
     }
 

@@ -33,7 +33,7 @@ pub(super) struct Minorant {
     pub(super) limits: Option<Limits>,
 }
 
-/// The core wasm does without planes and given mixtures, as without all orders (`rounds/looks.rs`).
+/// The core wasm does without planes and given mixtures, as without all orders (`rounds/enumerations.rs`).
 const HAS_PLANES: bool = cfg!(feature = "research");
 /// A given mixture stands back where it loses this many times more than the closest function at an end of a piece: on large pieces no leg is level. With
 /// 8, a proof of 28 contours on `co2-100w` took 18 s instead of 5.5; without a limit, one on `fibre-3kw-thin` came to no end.

@@ -1,6 +1,6 @@
 //! The states of walks: the item where a walk is, and which items of that item's own list it remembers.
 //!
-//! Each item has a list of others, its company. A walk remembers an item as long as it is in the company of every item passed
+//! Each item has a list of others, its ng-set. A walk remembers an item as long as it is in the ng-set of every item passed
 //! since (ng-routes: Baldacci, Mingozzi & Roberti, 2011). It does not go back to an item it remembers, nor to one that must
 //! come before an item it remembers. With empty lists a walk may go back and forth; with complete lists it is a tour. Lists
 //! grow where walks go in circles.
@@ -13,7 +13,7 @@ use std::ops::Range;
 /// Most states times items: sorting a million legs takes some tenths of a second.
 const MOST_LEGS: usize = 1_000_000;
 
-/// An item, and the members of its company that are remembered, as bits.
+/// An item, and the members of its ng-set that are remembered, as bits.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct State {
     pub(super) item: usize,
@@ -51,16 +51,16 @@ pub(super) struct Space {
 
 impl Space {
     /// All states a walk can come to, for walks along the order or against it; `None` when there are too many.
-    /// `company`: which items each remembers; contours are the items from `first` on; `directed`: prices differ by
+    /// `ng_sets`: which items each remembers; contours are the items from `first` on; `directed`: prices differ by
     /// direction; `gap`: the seconds between the boxes of two items.
     pub(super) fn new(
-        (company, first): (&[Vec<usize>], usize),
+        (ng_sets, first): (&[Vec<usize>], usize),
         order: &Order,
         pairs: &Pairs,
         [directed, backwards]: [bool; 2],
         gap: impl Fn(usize, usize) -> f64,
     ) -> Option<Self> {
-        let count = company.len();
+        let count = ng_sets.len();
         let mut space = Self { of: vec![Vec::new(); count], far: vec![Vec::new(); first], ..Self::default() };
         let table: Vec<Vec<Option<(usize, usize)>>> =
             (0..count).map(|to| Self::legs_to(pairs, to, directed, backwards)).collect();
@@ -83,14 +83,14 @@ impl Space {
                 return None;
             }
             let State { item, memory } = space.states[s];
-            let past = remembered(company, item, memory);
+            let past = remembered(ng_sets, item, memory);
             for &next in &near[item] {
                 let out = past.iter().any(|&p| p == next || order.forbids(p, next, backwards));
                 if out {
                     continue;
                 }
                 let kept = |c: &usize| *c == item || past.contains(c);
-                let bits = company[next].iter().enumerate().filter(|(_, c)| kept(c));
+                let bits = ng_sets[next].iter().enumerate().filter(|(_, c)| kept(c));
                 let to = space.state(next, bits.fold(0, |m, (bit, _)| m | 1 << bit));
                 legs.push([to, item, s]);
             }
@@ -149,6 +149,6 @@ impl Space {
 }
 
 /// The items remembered at an item.
-pub(super) fn remembered(company: &[Vec<usize>], item: usize, memory: u32) -> Vec<usize> {
-    company[item].iter().enumerate().filter(|(bit, _)| memory >> bit & 1 == 1).map(|(_, &c)| c).collect()
+pub(super) fn remembered(ng_sets: &[Vec<usize>], item: usize, memory: u32) -> Vec<usize> {
+    ng_sets[item].iter().enumerate().filter(|(bit, _)| memory >> bit & 1 == 1).map(|(_, &c)| c).collect()
 }

@@ -28,7 +28,7 @@ pub(super) struct Ground {
     pub(super) pairs: Pairs,
     pub(super) order: Order,
     /// Which items each item remembers.
-    pub(super) company: Vec<Vec<usize>>,
+    pub(super) ng_sets: Vec<Vec<usize>>,
     /// States forwards from home, and backwards from the end if they differ.
     pub(super) spaces: Vec<Space>,
 }
@@ -64,11 +64,11 @@ impl Ground {
         self.items.len() - self.first
     }
 
-    /// The states of walks along the order or against it, as the company now is; `None` when there are too many.
+    /// The states of walks along the order or against it, as the ng-sets now are; `None` when there are too many.
     pub(super) fn space(&self, backwards: bool) -> Option<Space> {
         let directed = self.prices.directed();
         let gap = |from, to| self.gap(from, to);
-        Space::new((&self.company, self.first), &self.order, &self.pairs, [directed, backwards], gap)
+        Space::new((&self.ng_sets, self.first), &self.order, &self.pairs, [directed, backwards], gap)
     }
 
     /// The number of stops that the passes from both ends make.

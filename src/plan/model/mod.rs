@@ -1,4 +1,4 @@
-//! The plan as data: the moves of the head in order, and their sums.
+//! The plan as data: the moves of the head in order, and their sums. It knows neither how a plan was found nor who checks it.
 
 mod leads;
 mod moves;

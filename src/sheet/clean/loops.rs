@@ -23,52 +23,16 @@ pub(super) fn closed(
     if !runs.iter().any(|run| !run.closed && lost(run)) {
         return None;
     }
-    let open = once(elements, runs);
-    let points: Vec<DVec2> = open.iter().flat_map(|&r| ends_of(elements, &runs[r])).collect();
-    let node = cluster(&points, 2.0 * ROUNDING);
-    // For a node of two ends, the sum of their numbers tells the other one.
-    let mut ends = vec![(0_usize, 0_usize); points.len()];
-    for (end, &n) in node.iter().enumerate() {
-        let (count, sum) = &mut ends[n as usize];
-        (*count, *sum) = (*count + 1, *sum + end);
-    }
-    let other = |end: usize| {
-        let (count, sum) = ends[node[end] as usize];
-        (count == 2 && sum != 2 * end).then(|| sum - end)
-    };
-    let mut seen = vec![false; open.len()];
+    // The sides of a sliver are one line.
+    let encloses = |path: &Path| 2.0 * path.area().abs() > tolerance * path.length();
     // For each run, the loop that begins with it; runs inside a loop are dropped.
-    let mut loop_at: Vec<Option<Vec<usize>>> = vec![None; runs.len()];
+    let mut loop_at: Vec<Option<Vec<Side>>> = vec![None; runs.len()];
     let mut inside = vec![false; runs.len()];
-    for first in 0..open.len() {
-        if seen[first] {
-            continue;
-        }
-        let mut way = Vec::new();
-        let mut end = 2 * first;
-        let closes = loop {
-            seen[end / 2] = true;
-            way.push(end);
-            match other(end ^ 1) {
-                Some(next) if next == 2 * first => break true,
-                Some(next) if !seen[next / 2] => end = next,
-                _ => break false,
-            }
-        };
-        let segments = way.iter().flat_map(|end| {
-            let run = elements[runs[open[end / 2]].elements.clone()].iter().map(|e| e.segment);
-            let run: Vec<Segment> =
-                if end % 2 == 0 { run.collect() } else { run.rev().map(|s| s.reversed()).collect() };
-            run
-        });
-        // The sides of a sliver are one line.
-        let encloses = |path: &Path| 2.0 * path.area().abs() > tolerance * path.length();
-        if closes
-            && way.iter().any(|end| lost(&runs[open[end / 2]]))
-            && encloses(&Path::new(segments.collect(), true))
-        {
-            way.iter().for_each(|end| inside[open[end / 2]] = true);
-            loop_at[open[first]] = Some(way);
+    for sides in loops(elements, runs) {
+        if sides.iter().any(|side| lost(&runs[side.run])) && encloses(&path_of(elements, runs, &sides)) {
+            sides.iter().for_each(|side| inside[side.run] = true);
+            let first = sides[0].run;
+            loop_at[first] = Some(sides);
         }
     }
     if !inside.contains(&true) {
@@ -78,9 +42,9 @@ pub(super) fn closed(
     for (r, run) in runs.iter().enumerate() {
         let from = out.0.len();
         match &loop_at[r] {
-            Some(way) => {
-                for end in way {
-                    append(&mut out.0, from, &elements[runs[open[end / 2]].elements.clone()], end % 2 == 1);
+            Some(sides) => {
+                for side in sides {
+                    append(&mut out.0, from, &elements[runs[side.run].elements.clone()], side.reversed);
                 }
                 if let [first, .., last] = &mut out.0[from..] {
                     first.segment = with_start(first.segment, last.segment.end());
@@ -95,6 +59,64 @@ pub(super) fn closed(
         }
     }
     Some(out)
+}
+
+/// A run on a loop.
+#[derive(Clone, Copy)]
+struct Side {
+    run: usize,
+    reversed: bool,
+}
+
+/// The loops of open runs in which every end meets exactly one other end.
+fn loops(elements: &[Element], runs: &[Run]) -> Vec<Vec<Side>> {
+    // The ends of the run `open[k]` have the numbers 2 k and 2 k + 1.
+    let open = once(elements, runs);
+    let points: Vec<DVec2> = open.iter().flat_map(|&r| ends_of(elements, &runs[r])).collect();
+    let node = cluster(&points, 2.0 * ROUNDING);
+    // For a node of two ends, the sum of their numbers tells the other one.
+    let mut ends = vec![(0_usize, 0_usize); points.len()];
+    for (end, &n) in node.iter().enumerate() {
+        let (count, sum) = &mut ends[n as usize];
+        (*count, *sum) = (*count + 1, *sum + end);
+    }
+    let other = |end: usize| {
+        let (count, sum) = ends[node[end] as usize];
+        (count == 2 && sum != 2 * end).then(|| sum - end)
+    };
+    let mut seen = vec![false; open.len()];
+    let mut found = Vec::new();
+    for first in 0..open.len() {
+        if seen[first] {
+            continue;
+        }
+        let mut sides = Vec::new();
+        let mut end = 2 * first;
+        let closes = loop {
+            seen[end / 2] = true;
+            sides.push(Side { run: open[end / 2], reversed: end % 2 == 1 });
+            match other(end ^ 1) {
+                Some(next) if next == 2 * first => break true,
+                Some(next) if !seen[next / 2] => end = next,
+                _ => break false,
+            }
+        };
+        if closes {
+            found.push(sides);
+        }
+    }
+    found
+}
+
+/// A loop as one path.
+fn path_of(elements: &[Element], runs: &[Run], sides: &[Side]) -> Path {
+    let segments = sides.iter().flat_map(|side| {
+        let run = elements[runs[side.run].elements.clone()].iter().map(|e| e.segment);
+        let run: Vec<Segment> =
+            if side.reversed { run.rev().map(|s| s.reversed()).collect() } else { run.collect() };
+        run
+    });
+    Path::new(segments.collect(), true)
 }
 
 /// The open runs, without those that are drawn twice.

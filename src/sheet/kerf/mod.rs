@@ -26,7 +26,7 @@ mod shift;
 pub(crate) use shift::{Shift, shifts};
 
 use super::assemble::assemble;
-use super::build::{find_groups, length_or};
+use super::build::{find_groups, tolerances};
 use super::clean::clean;
 use super::crossings;
 use super::model::{Contour, Operation, Sheet, SheetOptions};
@@ -50,8 +50,7 @@ pub(crate) fn compensated(
     width: f64,
 ) -> (Sheet, Vec<Finding>) {
     let mut findings = Findings::default();
-    let join = length_or(options.join_tolerance, 0.0);
-    let copy = length_or(options.copy_tolerance, 0.0).min(join);
+    let (join, copy) = tolerances(options);
     let clearance = Clearance::new(&sheet.contours, width, copy.min(WIDTH_TOLERANCE * width));
     let lines = moved(drawing, sheet, &clearance, width, &mut findings);
     // Whoever keeps the border has decided that it is a part.

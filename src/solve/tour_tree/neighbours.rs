@@ -1,6 +1,6 @@
 //! Neighbour lists: for every gate the items nearest to it, and for every item the items nearest to any of its gates.
 //!
-//! A gate is a coarse place of an item (see `space.rs`). Lists belong to gates and not to items, because what is near the
+//! A gate is a coarse place of an item (see `space`). Lists belong to gates and not to items, because what is near the
 //! left edge of a frame is of no use when the frame is entered on the right. Nearness is the cost of travel out of a
 //! place and, where a leg costs more than the leg back, into it as well. The lists are built item by item, so that a
 //! worker can stop in between. Source: Bentley, ORSA Journal on Computing 4 (1992); quadrants: Johnson & McGeoch, Experimental analysis

@@ -7,7 +7,7 @@ use super::{
 use crate::testkit::dialects::read_back;
 use crate::testkit::dxf_text::Entity;
 use crate::testkit::jobs::each_planned;
-use crate::testkit::sheets::Dice;
+use crate::testkit::sheets::XorShift;
 use crate::testkit::{files, fixtures};
 use kerfway::geometry::{DVec2, Segment};
 use kerfway::job::{Job, LoadOptions, OutputKind};
@@ -125,10 +125,10 @@ fn a_strip_stays_only_where_it_saves_more_than_cutting_it_takes() {
 #[test]
 fn no_other_order_of_the_cuts_takes_less() {
     for seed in 0..12_u64 {
-        let mut dice = Dice::new(40 + seed);
+        let mut rng = XorShift::new(40 + seed);
         let parts = 2 + usize::try_from(seed % 2).unwrap();
         let mut drawing = nest(u32::try_from(parts).unwrap(), 1, p(20.0, 20.0), 8.0);
-        drawing.push(Entity::Circle(p(20.0 + dice.between(-3.0, 3.0), 20.0), 3.0));
+        drawing.push(Entity::Circle(p(20.0 + rng.between(-3.0, 3.0), 20.0), 3.0));
         let machine =
             with(&later(&bridging(3.0, 10.0)), &json!({ "junction_deviation": 0.0, "pierce_time": 3.0 }));
         let job = started(&drawing, machine.clone(), &LoadOptions::default(), 50_000);
@@ -303,11 +303,11 @@ fn what_clashes_is_refused() {
 fn random_nests_come_out_on_every_kind_of_machine() {
     let mut bridges = 0;
     for seed in 0..34_u64 {
-        let mut dice = Dice::new(900 + seed);
-        let drawing = random(&mut dice);
+        let mut rng = XorShift::new(900 + seed);
+        let drawing = random(&mut rng);
         let kinds = kinds_later();
         let (name, change) = &kinds[usize::try_from(seed).unwrap() % kinds.len()];
-        let own = json!({ "pierce_time": 3.0, "levers": { "bridges": { "width": dice.between(1.0, 5.0), "reach": dice.between(8.0, 30.0), "clearance": dice.between(0.0, 2.0) } } });
+        let own = json!({ "pierce_time": 3.0, "levers": { "bridges": { "width": rng.between(1.0, 5.0), "reach": rng.between(8.0, 30.0), "clearance": rng.between(0.0, 2.0) } } });
         let machine = with(&with(&later(&bridging(3.0, 10.0)), change), &own);
         let beside = 0.5 * machine.kerf_width;
         let job = planned(&drawing, machine);

@@ -3,7 +3,7 @@
 use super::{bridging, drawn, nest, nest_with_holes, p, pairs, plan_of, planned, rectangle, started, with};
 use crate::testkit::dxf_text::Entity;
 use crate::testkit::jobs::each_planned;
-use crate::testkit::sheets::Dice;
+use crate::testkit::sheets::XorShift;
 use crate::testkit::{files, fixtures};
 use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions};
 use kerfway::machine::Profile;
@@ -139,13 +139,13 @@ pub(super) fn refused(load: &LoadOptions, change: Value) -> String {
 }
 
 /// Parts of several shapes at random places, with holes in some.
-pub(super) fn random(dice: &mut Dice) -> Vec<Entity> {
+pub(super) fn random(rng: &mut XorShift) -> Vec<Entity> {
     let mut drawing = Vec::new();
     for k in 0..12_u32 {
         let at = p(f64::from(k % 4), f64::from(k / 4)) * p(52.0, 46.0) + 10.0;
-        let at = at + p(dice.between(0.0, 4.0), dice.between(0.0, 4.0));
-        let size = p(dice.between(24.0, 44.0), dice.between(20.0, 38.0));
-        match dice.below(4) {
+        let at = at + p(rng.between(0.0, 4.0), rng.between(0.0, 4.0));
+        let size = p(rng.between(24.0, 44.0), rng.between(20.0, 38.0));
+        match rng.below(4) {
             0 => drawing.push(Entity::Circle(at + size.min_element() / 2.0, size.min_element() / 2.0)),
             1 => {
                 let corners = [p(0.0, 0.0), p(1.0, 0.0), p(0.9, 1.0), p(0.0, 0.8)];
@@ -163,7 +163,7 @@ pub(super) fn random(dice: &mut Dice) -> Vec<Entity> {
             }
             _ => drawing.push(rectangle(at, size)),
         }
-        if dice.below(2) == 0 {
+        if rng.below(2) == 0 {
             drawing.push(Entity::Circle(at + size * 0.4, 3.0));
         }
     }
@@ -174,11 +174,11 @@ pub(super) fn random(dice: &mut Dice) -> Vec<Entity> {
 fn random_nests_pass_on_every_kind_of_machine() {
     let mut bridges = 0;
     for seed in 0..34_u64 {
-        let mut dice = Dice::new(900 + seed);
-        let drawing = random(&mut dice);
+        let mut rng = XorShift::new(900 + seed);
+        let drawing = random(&mut rng);
         let kinds = kinds();
         let (name, change) = &kinds[usize::try_from(seed).unwrap() % kinds.len()];
-        let own = json!({ "levers": { "bridges": { "width": dice.between(1.0, 5.0), "reach": dice.between(8.0, 30.0), "clearance": dice.between(0.0, 2.0) } } });
+        let own = json!({ "levers": { "bridges": { "width": rng.between(1.0, 5.0), "reach": rng.between(8.0, 30.0), "clearance": rng.between(0.0, 2.0) } } });
         let machine = with(&with(&bridging(3.0, 10.0), change), &own);
         let job = planned(&drawing, machine);
         let plan = job.plan().unwrap_or_else(|e| panic!("seed {seed}, {name}: {e}"));

@@ -4,7 +4,7 @@ use super::later::later;
 use super::{bridging, nest, p, pairs, planned, rectangle, started, with};
 use crate::testkit::dxf_text::Entity;
 use crate::testkit::searches::slices_of_any_size_find_the_same;
-use crate::testkit::sheets::Dice;
+use crate::testkit::sheets::XorShift;
 use crate::tips::search::every_order_of;
 use kerfway::geometry::DVec2;
 use kerfway::job::{Job, LoadOptions, problem_of};
@@ -208,24 +208,24 @@ fn bridges_are_left_only_where_something_stays() {
 
 /// A plate with one or two squares that tip, and contours beside them.
 fn small_nest(seed: u64) -> Vec<Entity> {
-    let mut dice = Dice::new(7000 + seed);
-    let plate = p(dice.between(44.0, 60.0), dice.between(44.0, 60.0));
+    let mut rng = XorShift::new(7000 + seed);
+    let plate = p(rng.between(44.0, 60.0), rng.between(44.0, 60.0));
     let mut drawing = vec![rectangle(p(30.0, 30.0), plate)];
-    let squares = 1 + dice.below(2);
-    let size = |dice: &mut Dice| p(dice.between(16.0, 34.0), dice.between(16.0, 34.0));
-    let mut at = p(30.0 + plate.x + dice.between(5.0, 9.0), 30.0 + dice.between(0.0, 10.0));
+    let squares = 1 + rng.below(2);
+    let size = |rng: &mut XorShift| p(rng.between(16.0, 34.0), rng.between(16.0, 34.0));
+    let mut at = p(30.0 + plate.x + rng.between(5.0, 9.0), 30.0 + rng.between(0.0, 10.0));
     for k in 0..squares {
-        let own = size(&mut dice);
+        let own = size(&mut rng);
         drawing.push(rectangle(at, own));
         at += if (seed / 3 + k).is_multiple_of(2) {
-            p(0.0, own.y + dice.between(5.0, 9.0))
+            p(0.0, own.y + rng.between(5.0, 9.0))
         } else {
-            p(own.x + dice.between(5.0, 9.0), 0.0)
+            p(own.x + rng.between(5.0, 9.0), 0.0)
         };
     }
     for k in squares..if squares == 1 { 4 } else { 3 } {
         // Too far away for a bridge, and on the other side of what tips.
-        let at = p(180.0 + dice.between(0.0, 20.0), 30.0 * k as f64 + dice.between(0.0, 12.0));
+        let at = p(180.0 + rng.between(0.0, 20.0), 30.0 * k as f64 + rng.between(0.0, 12.0));
         drawing.push(rectangle(at, p(12.0, 12.0)));
     }
     drawing
@@ -268,18 +268,18 @@ fn up_to_six_contours_are_as_good_as_every_order_entry_and_direction() {
 
 /// Plates with squares and discs around them that tip, at random, some with holes.
 fn nest_that_tips(seed: u64) -> Vec<Entity> {
-    let mut dice = Dice::new(8100 + seed);
+    let mut rng = XorShift::new(8100 + seed);
     let mut drawing = Vec::new();
     for k in 0..30_u32 {
         let at = p(f64::from(k % 6), f64::from(k / 6)) * 58.0 + 20.0;
-        let at = at + p(dice.between(0.0, 3.0), dice.between(0.0, 3.0));
-        let size = p(dice.between(24.0, 52.0), dice.between(24.0, 52.0));
-        if dice.below(4) == 0 {
+        let at = at + p(rng.between(0.0, 3.0), rng.between(0.0, 3.0));
+        let size = p(rng.between(24.0, 52.0), rng.between(24.0, 52.0));
+        if rng.below(4) == 0 {
             drawing.push(Entity::Circle(at + 0.5 * size.min_element(), 0.5 * size.min_element()));
         } else {
             drawing.push(rectangle(at, size));
         }
-        if dice.below(3) == 0 {
+        if rng.below(3) == 0 {
             drawing.push(Entity::Circle(at + 0.4 * size, 0.2 * size.min_element()));
         }
     }

@@ -4,7 +4,7 @@ use super::checker::says;
 use super::{chaining, near, starting};
 use crate::testkit::exact::search_of_exact_cost;
 use crate::testkit::leads::oriented;
-use crate::testkit::sheets::{Builder, Dice, line, p, rectangle};
+use crate::testkit::sheets::{Builder, XorShift, line, p, rectangle};
 use kerfway::geometry::{DVec2, Segment};
 use kerfway::machine::dialect::{DialectChoice, dialects};
 use kerfway::machine::{AirTime, Process, Profile, Start, cut_time};
@@ -41,11 +41,11 @@ fn cuts_begin_at_the_edge_of_the_sheet_without_piercing() {
     assert!(cut < machine.pierce_time && least.is_finite());
     // Every order, entry, and choice between a piercing and the edge.
     for seed in 0..6_u64 {
-        let mut dice = Dice::new(seed);
+        let mut rng = XorShift::new(seed);
         let mut b = Builder::new();
         for k in 0..3 {
-            let at = p(dice.between(3.0, 40.0), 30.0 + 50.0 * f64::from(k));
-            b.cut(rectangle(at, p(dice.between(12.0, 20.0), dice.between(12.0, 20.0))), None);
+            let at = p(rng.between(3.0, 40.0), 30.0 + 50.0 * f64::from(k));
+            b.cut(rectangle(at, p(rng.between(12.0, 20.0), rng.between(12.0, 20.0))), None);
         }
         let mut sheet = oriented(b.sheet);
         sheet.ignored.push(Ignored { path: rectangle(p(0.0, 0.0), p(300.0, 200.0)), layer: 0 });

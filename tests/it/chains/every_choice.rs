@@ -3,7 +3,7 @@
 use super::{chaining, near, searched, squares, starting, starting_where_entered};
 use crate::testkit::exact::search_of_exact_cost;
 use crate::testkit::leads::{leads, oriented, with_leads};
-use crate::testkit::sheets::{Builder, Dice, circle, p, rectangle};
+use crate::testkit::sheets::{Builder, XorShift, circle, p, rectangle};
 use kerfway::geometry::DVec2;
 use kerfway::job::problem_of;
 use kerfway::machine::{AirTime, LeadKind, Levers, Profile, cut_time};
@@ -171,18 +171,18 @@ fn brute_with(sheet: &Sheet, machine: &Profile, problem: &Problem, slope: f64, p
 fn the_search_chooses_as_well_as_every_order_entry_and_chain() {
     let mut joined = 0;
     for seed in 0..12_u64 {
-        let mut dice = Dice::new(seed);
+        let mut rng = XorShift::new(seed);
         let mut b = Builder::new();
         for k in 0..4 {
             let at = p(f64::from(k % 2), f64::from(k / 2)) * 30.0
-                + p(10.0 + dice.between(0.0, 6.0), 10.0 + dice.between(0.0, 6.0));
-            if dice.below(2) == 0 {
-                b.cut(circle(at + p(9.0, 9.0), dice.between(5.0, 9.0)), None);
+                + p(10.0 + rng.between(0.0, 6.0), 10.0 + rng.between(0.0, 6.0));
+            if rng.below(2) == 0 {
+                b.cut(circle(at + p(9.0, 9.0), rng.between(5.0, 9.0)), None);
             } else {
-                b.cut(rectangle(at, p(dice.between(10.0, 18.0), dice.between(10.0, 18.0))), None);
+                b.cut(rectangle(at, p(rng.between(10.0, 18.0), rng.between(10.0, 18.0))), None);
             }
         }
-        let machine = chaining(25.0, dice.between(0.2, 2.0));
+        let machine = chaining(25.0, rng.between(0.2, 2.0));
         let sheet = oriented(b.sheet);
         let (problem, _, plan) = search_of_exact_cost(&sheet, &machine, seed);
         let least = brute(&sheet, &machine, &problem, 0.25);
@@ -218,17 +218,17 @@ fn a_row_of_parts_is_pierced_once_with_starts_on_kerfs() {
 fn chains_beside_moving_pierce_are_as_good_as_every_choice() {
     let (mut joined, mut moving) = (0, 0);
     for seed in 0..10_u64 {
-        let mut dice = Dice::new(500 + seed);
+        let mut rng = XorShift::new(500 + seed);
         let mut b = Builder::new();
         for k in 0..4 {
             let at = p(f64::from(k % 2), f64::from(k / 2)) * 26.0
-                + p(10.0 + dice.between(0.0, 4.0), 10.0 + dice.between(0.0, 4.0));
-            b.cut(rectangle(at, p(dice.between(12.0, 18.0), dice.between(12.0, 18.0))), None);
+                + p(10.0 + rng.between(0.0, 4.0), 10.0 + rng.between(0.0, 4.0));
+            b.cut(rectangle(at, p(rng.between(12.0, 18.0), rng.between(12.0, 18.0))), None);
         }
-        let mut machine = chaining(25.0, dice.between(0.2, 2.0));
+        let mut machine = chaining(25.0, rng.between(0.2, 2.0));
         machine.levers.moving_pierce = Some(kerfway::machine::MovingPierce { overcut: 0.0 });
         // A beam that takes long to go off, in thin sheet that is cut fast: then even a contour that is not pierced is joined.
-        machine.beam_off_delay = dice.between(0.0, 0.6);
+        machine.beam_off_delay = rng.between(0.0, 0.6);
         let sheet = oriented(b.sheet);
         let (problem, _, plan) = search_of_exact_cost(&sheet, &machine, seed);
         let start = machine.beam_off_delay;
@@ -271,12 +271,12 @@ fn what_cannot_begin_moving_is_joined_and_what_is_cut_again_stays_so() {
 #[test]
 fn six_contours_reach_the_exact_optimum() {
     for seed in 0..8_u64 {
-        let mut dice = Dice::new(100 + seed);
+        let mut rng = XorShift::new(100 + seed);
         let mut b = Builder::new();
         for k in 0..5 {
             let at = p(f64::from(k % 3), f64::from(k / 3)) * 32.0
-                + p(10.0 + dice.between(0.0, 8.0), 10.0 + dice.between(0.0, 8.0));
-            let outer = b.cut(rectangle(at, p(dice.between(12.0, 20.0), dice.between(12.0, 20.0))), None);
+                + p(10.0 + rng.between(0.0, 8.0), 10.0 + rng.between(0.0, 8.0));
+            let outer = b.cut(rectangle(at, p(rng.between(12.0, 20.0), rng.between(12.0, 20.0))), None);
             if k == 2 {
                 b.cut(circle(at + p(6.0, 6.0), 3.0), Some(outer));
             }

@@ -3,7 +3,7 @@
 use super::{LOOPS, plate, thin, wedge};
 use crate::testkit::exact::search_of_exact_cost;
 use crate::testkit::leads::oriented;
-use crate::testkit::sheets::{Builder, Dice, p, polygon};
+use crate::testkit::sheets::{Builder, XorShift, p, polygon};
 use kerfway::geometry::{Arc, DVec2, Segment, math};
 use kerfway::machine::{AirTime, CornerKind, Corners, Levers, Profile, process_time};
 use kerfway::problem::Problem;
@@ -104,14 +104,14 @@ fn brute(machine: &Profile, sheet: &Sheet, problem: &Problem, kind: CornerKind) 
 }
 
 /// Parts without holes whose corners are near enough to each other to matter: wedges, chamfered plates, combs.
-pub(super) fn parts(dice: &mut Dice, count: u32) -> Builder {
+pub(super) fn parts(rng: &mut XorShift, count: u32) -> Builder {
     let mut b = Builder::new();
     for k in 0..count {
         let at = p(f64::from(k % 3) * 50.0 + 20.0, f64::from(k / 3) * 50.0 + 20.0);
-        let chamfer = dice.between(0.3, 4.0);
+        let chamfer = rng.between(0.3, 4.0);
         b.cut(
-            match dice.below(3) {
-                0 => wedge(at, dice.between(15.0, 30.0), dice.between(0.5, 1.4)),
+            match rng.below(3) {
+                0 => wedge(at, rng.between(15.0, 30.0), rng.between(0.5, 1.4)),
                 1 => polygon(&[
                     at,
                     at + p(25.0 - chamfer, 0.0),
@@ -123,7 +123,7 @@ pub(super) fn parts(dice: &mut Dice, count: u32) -> Builder {
                     at,
                     at + p(20.0, 0.0),
                     at + p(20.0 - chamfer, 12.0),
-                    at + p(10.0, dice.between(3.0, 9.0)),
+                    at + p(10.0, rng.between(3.0, 9.0)),
                     at + p(0.0, 12.0),
                 ]),
             },
@@ -137,15 +137,15 @@ pub(super) fn parts(dice: &mut Dice, count: u32) -> Builder {
 fn the_search_chooses_as_well_as_every_order_entry_and_choice_of_corners() {
     let (mut loops, mut rounded) = (0, 0);
     for seed in 0..16_u64 {
-        let mut dice = Dice::new(seed);
-        let sheet = oriented(parts(&mut dice, if seed < 12 { 4 } else { 6 }).sheet);
+        let mut rng = XorShift::new(seed);
+        let sheet = oriented(parts(&mut rng, if seed < 12 { 4 } else { 6 }).sheet);
         let kind = if seed % 2 == 0 { CornerKind::Loop } else { CornerKind::Round };
         let base = if seed % 4 < 2 { plate(LOOPS) } else { thin(LOOPS) };
         let corners = Corners {
             outer: kind,
-            loop_radius: dice.between(0.2, 2.0),
-            round_radius: dice.between(0.3, 3.0),
-            deviation: dice.between(0.02, 0.5),
+            loop_radius: rng.between(0.2, 2.0),
+            round_radius: rng.between(0.3, 3.0),
+            deviation: rng.between(0.02, 0.5),
             ..LOOPS
         };
         let machine = Profile { levers: Levers { corners: Some(corners), ..Levers::default() }, ..base };

@@ -4,7 +4,7 @@ use super::{charged, waiting};
 use crate::chains::{chain_seconds, chaining, squares, starting};
 use crate::testkit::leads::oriented;
 use crate::testkit::searches::{searched, slices_of_any_size_find_the_same};
-use crate::testkit::sheets::{Builder, Dice, circle, p, rectangle};
+use crate::testkit::sheets::{Builder, XorShift, circle, p, rectangle};
 use kerfway::geometry::{DVec2, distance};
 use kerfway::job::problem_of;
 use kerfway::machine::dialect::{DialectChoice, dialects};
@@ -149,15 +149,15 @@ fn brute(sheet: &Sheet, machine: &Profile, slope: f64, by_itself: bool, most: f6
 
 /// Some rectangles and discs side by side, of which some are near each other.
 fn few(seed: u64) -> Sheet {
-    let mut dice = Dice::new(900 + seed);
+    let mut rng = XorShift::new(900 + seed);
     let mut b = Builder::new();
     for k in 0..3 + seed % 2 {
         let at = p((k % 2) as f64, (k / 2) as f64) * 30.0
-            + p(10.0 + dice.between(0.0, 8.0), 10.0 + dice.between(0.0, 8.0));
-        if dice.below(3) == 0 {
-            b.cut(circle(at + p(9.0, 9.0), dice.between(5.0, 9.0)), None);
+            + p(10.0 + rng.between(0.0, 8.0), 10.0 + rng.between(0.0, 8.0));
+        if rng.below(3) == 0 {
+            b.cut(circle(at + p(9.0, 9.0), rng.between(5.0, 9.0)), None);
         } else {
-            b.cut(rectangle(at, p(dice.between(10.0, 18.0), dice.between(10.0, 18.0))), None);
+            b.cut(rectangle(at, p(rng.between(10.0, 18.0), rng.between(10.0, 18.0))), None);
         }
     }
     oriented(b.sheet)

@@ -2,7 +2,7 @@
 
 use super::{charged, heated, waiting};
 use crate::testkit::searches::{searched, slices_of_any_size_find_the_same};
-use crate::testkit::sheets::{Builder, Dice, circle, line, nested_sheet, p, rectangle};
+use crate::testkit::sheets::{Builder, XorShift, circle, line, nested_sheet, p, rectangle};
 use kerfway::geometry::distance;
 use kerfway::job::problem_of;
 use kerfway::machine::{Heat, Levers, Lift, Profile, Tips, air_time};
@@ -93,11 +93,11 @@ impl<'p> BruteForce<'p> {
 
 /// Some contours close together and others far away, of few entries: slits, and circles.
 fn few(seed: u32) -> Sheet {
-    let mut dice = Dice::new(u64::from(seed) + 100);
+    let mut rng = XorShift::new(u64::from(seed) + 100);
     let mut b = Builder::new();
     for k in 0..4 + seed % 3 {
-        let at = p(dice.between(30.0, 230.0), dice.between(30.0, 130.0));
-        let to = at + p(dice.between(5.0, 20.0), dice.between(-15.0, 15.0));
+        let at = p(rng.between(30.0, 230.0), rng.between(30.0, 130.0));
+        let to = at + p(rng.between(5.0, 20.0), rng.between(-15.0, 15.0));
         if k == 0 && seed.is_multiple_of(2) {
             let frame = b.cut(rectangle(p(20.0, 10.0), p(70.0, 60.0)), None);
             b.cut(line(p(40.0, 30.0), p(60.0, 30.0)), Some(frame));

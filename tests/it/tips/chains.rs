@@ -5,7 +5,7 @@ use super::{all_tip, ignored, tipping};
 use crate::chains::squares;
 use crate::testkit::leads::oriented;
 use crate::testkit::searches::{searched, slices_of_any_size_find_the_same};
-use crate::testkit::sheets::{Builder, Dice, circle, machine, p, rectangle};
+use crate::testkit::sheets::{Builder, XorShift, circle, machine, p, rectangle};
 use kerfway::job::problem_of;
 use kerfway::machine::dialect::{DialectChoice, dialects};
 use kerfway::machine::{Chains, Profile, Start, Tips};
@@ -37,12 +37,12 @@ fn small_tip() -> Tips {
 
 /// Three to five rectangles and discs in two rows, of which some tip.
 fn mixed(seed: u64) -> Sheet {
-    let mut dice = Dice::new(700 + seed);
+    let mut rng = XorShift::new(700 + seed);
     let mut b = Builder::new();
     for k in 0..3 + seed % 3 {
-        let at = p(20.0 + 34.0 * (k % 3) as f64 + dice.between(0.0, 3.0), 20.0 + 33.0 * (k / 3) as f64);
-        let size = p(dice.between(14.0, 29.0), dice.between(14.0, 29.0));
-        match dice.below(4) {
+        let at = p(20.0 + 34.0 * (k % 3) as f64 + rng.between(0.0, 3.0), 20.0 + 33.0 * (k / 3) as f64);
+        let size = p(rng.between(14.0, 29.0), rng.between(14.0, 29.0));
+        match rng.below(4) {
             0 => b.cut(circle(at + size / 2.0, size.x.min(size.y) / 2.0), None),
             _ => b.cut(rectangle(at, size), None),
         };

@@ -2,7 +2,7 @@
 
 use super::{all_tip, ignored, tipping};
 use crate::testkit::searches::{searched, slices_of_any_size_find_the_same};
-use crate::testkit::sheets::{Builder, Dice, circle, nested_sheet, p, rectangle};
+use crate::testkit::sheets::{Builder, XorShift, circle, nested_sheet, p, rectangle};
 use kerfway::job::problem_of;
 use kerfway::machine::{Levers, Profile, Tips};
 use kerfway::plan::{self, Move, Plan, Way};
@@ -94,12 +94,12 @@ fn entries(problem: &Problem, order: &[u32]) -> f64 {
 /// A row of four contours close together, and up to two more: the second is cut first and the third last, so the head has to get
 /// past the second, which has tipped, from the first to the fourth or back.
 fn crowded(seed: u32) -> Sheet {
-    let mut dice = Dice::new(seed.into());
+    let mut rng = XorShift::new(seed.into());
     let mut b = Builder::new();
     for k in 0..4 {
         let at = p(60.0 + 48.0 * f64::from(k), 40.0);
-        let size = p(dice.between(24.0, 44.0), dice.between(24.0, 44.0));
-        match dice.below(3) {
+        let size = p(rng.between(24.0, 44.0), rng.between(24.0, 44.0));
+        match rng.below(3) {
             0 => b.cut(circle(at + size / 2.0, size.x / 2.0), None),
             _ => b.cut(rectangle(at, size), None),
         };
@@ -107,7 +107,7 @@ fn crowded(seed: u32) -> Sheet {
     b.sheet.contours[1].pin = Pin::First;
     b.sheet.contours[2].pin = Pin::Last;
     for k in 0..seed % 3 {
-        let at = p(dice.between(60.0, 240.0), 100.0 + 40.0 * f64::from(k));
+        let at = p(rng.between(60.0, 240.0), 100.0 + 40.0 * f64::from(k));
         b.cut(rectangle(at, p(20.0, 20.0)), None);
     }
     b.sheet

@@ -7,7 +7,7 @@ use super::net::Net;
 pub(super) struct Before {
     pub(super) net: Net,
     pub(super) potentials: Vec<f64>,
-    /// The number of members of each company.
+    /// The size of each ng-set.
     pub(super) members: Vec<usize>,
     /// For each knot of each item the two knots around it then, or twice the same.
     pub(super) around: Vec<Vec<[usize; 2]>>,

@@ -3,7 +3,7 @@
 /// The smooth solution.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Flow {
-    /// What comes to each state and knot, and what leaves it.
+    /// What enters each state and knot, and what leaves it.
     pub(super) inflow: Vec<f64>,
     pub(super) outflow: Vec<f64>,
     /// How much each pair is used.

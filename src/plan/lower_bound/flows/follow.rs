@@ -15,7 +15,7 @@ const USED: f64 = 1e-5;
 
 impl FlowBound {
     /// Circles of the flow, and ways on which items are out of order: the items on each from the first to the last, and how many of the walks took it.
-    /// Walks start where the flow comes to each item.
+    /// Walks start where the flow enters each item.
     pub(super) fn faults(&self) -> Vec<(Vec<usize>, usize)> {
         let ways = self.ways();
         // Any seed is as good as any other.

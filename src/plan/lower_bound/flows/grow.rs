@@ -3,15 +3,15 @@
 use super::super::halving;
 use super::super::net::Item;
 use super::super::pairs::Pairs;
-use super::super::rounds::nearest_company;
+use super::super::rounds::nearest_ng_sets;
 use super::before::Before;
 use super::net::{MOST_LEGS, Net};
 use super::{FlowBound, Task};
 use crate::order::{real, sort_by};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Largest company of an item: its states may double with each member.
-const MOST_COMPANY: usize = 16;
+/// Largest ng-set of an item: its states may double with each member.
+const LARGEST_NG_SET: usize = 16;
 /// States that a round adds, about, as a share of those there are: after the first of them other circles are best.
 const ADDED: f64 = 0.3;
 /// Far pairs that are used more often than this get tables.
@@ -28,8 +28,8 @@ impl FlowBound {
     /// Makes the states, with the potentials that they had. Returns whether there is room for them.
     pub(super) fn lay_out(&mut self) -> bool {
         let ground = &mut self.ground;
-        if ground.company.iter().all(Vec::is_empty) {
-            ground.company = nearest_company(&ground.items, ground.first, &ground.pairs);
+        if ground.ng_sets.iter().all(Vec::is_empty) {
+            ground.ng_sets = nearest_ng_sets(&ground.items, ground.first, &ground.pairs);
         }
         let before = self.before.take();
         let mut net = Net::new(ground);
@@ -37,7 +37,7 @@ impl FlowBound {
             && let Some(before) = &before
         {
             // Too many states: what was remembered before must do.
-            ground.company.iter_mut().zip(&before.members).for_each(|(list, &n)| list.truncate(n));
+            ground.ng_sets.iter_mut().zip(&before.members).for_each(|(list, &n)| list.truncate(n));
             net = Net::new(ground);
         }
         let Some(net) = net else { return false };
@@ -108,9 +108,9 @@ impl FlowBound {
         true
     }
 
-    /// The number of members of each company.
+    /// The size of each ng-set.
     fn members(&self) -> Vec<usize> {
-        self.ground.company.iter().map(Vec::len).collect()
+        self.ground.ng_sets.iter().map(Vec::len).collect()
     }
 
     /// For each knot of each item itself twice: see [`Before::around`].
@@ -118,7 +118,7 @@ impl FlowBound {
         self.ground.items.iter().map(|i| (0..i.knots).map(|v| [v; 2]).collect()).collect()
     }
 
-    /// Keeps the potentials, and goes on with the tables of pairs from `next` on. `members`: the size of each company when the states of these potentials were
+    /// Keeps the potentials, and goes on with the tables of pairs from `next` on. `members`: the size of each ng-set when the states of these potentials were
     /// made; `around`: see [`Before::around`].
     fn prepare(&mut self, members: Vec<usize>, around: Vec<Vec<[usize; 2]>>, next: usize) {
         self.before = Some(Before {
@@ -147,9 +147,9 @@ impl FlowBound {
             let last = walk.len() - 1;
             for &between in &walk[1..last] {
                 for fault in [walk[0], walk[last]] {
-                    let company = &mut self.ground.company[between];
-                    if company.len() < MOST_COMPANY && between != fault && !company.contains(&fault) {
-                        company.push(fault);
+                    let ng_set = &mut self.ground.ng_sets[between];
+                    if ng_set.len() < LARGEST_NG_SET && between != fault && !ng_set.contains(&fault) {
+                        ng_set.push(fault);
                         left -= states[between] as f64;
                         added = true;
                     }

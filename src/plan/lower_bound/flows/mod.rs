@@ -2,16 +2,16 @@
 //!
 //! # The idea
 //!
-//! A tour comes to each item in some **state**: where it stops, and which items it must not come to any more, as far as it remembers
-//! (`net.rs`). Give each state at each knot a **potential**. A leg costs its seconds, more by the potential that it leaves and less by the one it
-//! comes to. Around a tour the potentials cancel, so that it takes what its legs cost. It comes to each item once, so that
+//! A tour visits each item in some **state**: where it stops, and which items it must not visit any more, as far as it remembers
+//! (`net.rs`). Give each state at each knot a **potential**. A leg costs its seconds, more by the potential of the state that it leaves and
+//! less by that of the state it leads to. Around a tour the potentials cancel, so that it takes what its legs cost. It visits each item once, so that
 //!
-//! > the sum over all items of the cheapest leg that comes to a state of the item <= travel of the best tour
+//! > the sum over all items of the cheapest leg to a state of the item <= travel of the best tour
 //!
 //! whatever the potentials are. Cuts make it stronger: for a set of items without home, every tour has two legs or more between the set and the
 //! rest. Each such leg pays the price of the cut too, and twice the price is added to the sum.
 //!
-//! The best potentials and prices are the dual solution of a linear programme: a circulation through the states that comes to each item once in all,
+//! The best potentials and prices are the dual solution of a linear programme: a circulation through the states that enters each item once in all,
 //! and enters and leaves sets of items. So it is the relaxation of walks (`rounds`), but without the number of stops, which would
 //! take as many rows of numbers as there are items: one look at all legs takes milliseconds for 500 contours, where one at all walks takes seconds.
 //!
@@ -21,7 +21,7 @@
 //! # How the potentials are found
 //!
 //! The minima are replaced by smooth ones at a temperature, so that each item prefers cheap legs by degrees. A
-//! potential moves by the logarithm of the flow that leaves the state, compared with what comes to it: generalised iterative scaling (Darroch & Ratcliff,
+//! potential moves by the logarithm of the flow that leaves the state, compared with the flow that enters it: generalised iterative scaling (Darroch & Ratcliff,
 //! 1972), or the balancing of matrices (Osborne, 1960), which never overshoots (`soft.rs`). Only legs that matter take part, which are selected
 //! again and again (`select.rs`). When the temperature has fallen, a round ends (`grow.rs`): walks that follow the flow show
 //! which circles must be remembered, and pieces are halved where the flow uses legs that are priced below their real seconds.
@@ -134,8 +134,8 @@ impl FlowBound {
         let order = Order::new(problem, first);
         let count = items.len();
         let pairs = Pairs::new(count);
-        let company = vec![Vec::new(); count];
-        let ground = Ground { pairs, company, spaces: Vec::new(), items, first, prices, order };
+        let ng_sets = vec![Vec::new(); count];
+        let ground = Ground { pairs, ng_sets, spaces: Vec::new(), items, first, prices, order };
         let mut bound = Self {
             problem: problem.clone(),
             wanted: start::first_pairs(&ground),

@@ -1,8 +1,8 @@
 //! States and the legs between them.
 //!
-//! Each item has a list of others, its company. In a state of the item, some of them are **barred**: a tour must not come to them any more, because
+//! Each item has a list of others, its ng-set. In a state of the item, some of them are **barred**: a tour must not visit them any more, because
 //! it has been there, or because they should have come before an item it has been to. What is barred stays known as long as it is in
-//! the company of all items since (ng-routes: Baldacci, Mingozzi & Roberti, 2011). Home is a state like others, where tours begin and end.
+//! the ng-sets of all items since (ng-routes: Baldacci, Mingozzi & Roberti, 2011). Home is a state like others, where tours begin and end.
 
 use super::super::space::Step;
 use super::super::walks::Ground;
@@ -157,10 +157,10 @@ fn states(ground: &Ground) -> Option<(Vec<Key>, Vec<Leg>)> {
     let mut legs = Vec::new();
     let mut s = 0;
     while let Some(&(item, bits)) = keys.get(s) {
-        let past: Vec<usize> = barred(&ground.company, (item, bits)).chain([item]).collect();
+        let past: Vec<usize> = barred(&ground.ng_sets, (item, bits)).chain([item]).collect();
         for &next in near[item].iter().filter(|&&next| !past.iter().any(|&p| is_barred(p, next))) {
             let kept = |c: &usize| past.iter().any(|&p| is_barred(p, *c));
-            let bits = ground.company[next].iter().enumerate().filter(|(_, c)| kept(c));
+            let bits = ground.ng_sets[next].iter().enumerate().filter(|(_, c)| kept(c));
             let to = state(&mut keys, (next, bits.fold(0, |m, (bit, _)| m | 1 << bit)));
             legs.push([to, item, s]);
         }
@@ -173,6 +173,6 @@ fn states(ground: &Ground) -> Option<(Vec<Key>, Vec<Leg>)> {
 }
 
 /// The items barred in a state.
-pub(super) fn barred(company: &[Vec<usize>], (item, bits): Key) -> impl Iterator<Item = usize> + '_ {
-    company[item].iter().enumerate().filter(move |(bit, _)| bits >> bit & 1 == 1).map(|(_, &c)| c)
+pub(super) fn barred(ng_sets: &[Vec<usize>], (item, bits): Key) -> impl Iterator<Item = usize> + '_ {
+    ng_sets[item].iter().enumerate().filter(move |(bit, _)| bits >> bit & 1 == 1).map(|(_, &c)| c)
 }

@@ -1,13 +1,13 @@
 //! Which states lie on circles through home.
 
-/// A state: an item and the members of its company that are barred, as bits.
+/// A state: an item and the members of its ng-set that are barred, as bits.
 pub(super) type Key = (usize, u32);
 
 /// A leg between states: the one it leads to, the item left and the state left.
 pub(super) type Leg = [usize; 3];
 
-/// For each state whether one can come to it from home, and from it to home. The last state is home. `legs`: between states; `far`: for each item
-/// those from where a tour may come to the state in which nothing is barred.
+/// For each state whether it can be reached from home, and home from it. The last state is home. `legs`: between states; `far`: for each item
+/// those from where a leg may lead to the state in which nothing is barred.
 pub(super) fn on_circles(keys: &[Key], legs: &[Leg], far: &[Vec<(usize, f64)>]) -> [Vec<bool>; 2] {
     let home = keys.len() - 1;
     // After the states a place for each item, by way of which far legs leave it.

@@ -16,7 +16,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(super) struct Record {
     knots: Vec<Vec<f64>>,
     near: Vec<Vec<usize>>,
-    company: Vec<Vec<usize>>,
+    ng_sets: Vec<Vec<usize>>,
     /// The potentials of each state, which is an item and what is barred there, in ascending order.
     potentials: BTreeMap<(usize, Vec<usize>), Vec<f64>>,
     /// States that tours come to and do not come home from.
@@ -36,13 +36,13 @@ impl Record {
             let [a, b] = pair.items;
             near[a.min(b)].push(a.max(b));
         }
-        let named = |key: &Key| (key.0, sorted(barred(&ground.company, *key).collect()));
+        let named = |key: &Key| (key.0, sorted(barred(&ground.ng_sets, *key).collect()));
         let state = |(s, key): (usize, &Key)| (named(key), potentials[net.range(s)].to_vec());
         let members = |cut: &Cut| (0..cut.set.len()).filter(|&i| cut.set[i]).collect();
         Self {
             knots: ground.items.iter().map(|item| item.along.clone()).collect(),
             near: near.into_iter().map(sorted).collect(),
-            company: ground.company.iter().map(|list| sorted(list.clone())).collect(),
+            ng_sets: ground.ng_sets.iter().map(|list| sorted(list.clone())).collect(),
             potentials: net.keys.iter().enumerate().map(state).collect(),
             dead_ends: net.dead_ends.iter().map(named).collect(),
             cuts: cuts.iter().filter(|c| c.price > 0.0).map(|c| (members(c), c.price)).collect(),
@@ -63,7 +63,7 @@ impl Record {
             unit: power,
             knots: self.knots.clone(),
             near: self.near.clone(),
-            company: self.company.clone(),
+            ng_sets: self.ng_sets.clone(),
             potentials: Vec::new(),
             cuts: self.cuts.iter().map(cut).filter(|c| c.price > 0).collect(),
             bound: 0,

@@ -1,4 +1,4 @@
-//! A step of the smooth problem: how much flow comes to each state and leaves it, and the potentials that bring both together.
+//! A step of the smooth problem: how much flow enters each state and leaves it, and the potentials that bring both together.
 
 use super::super::powers::{exp, ln};
 use super::FlowBound;
@@ -32,7 +32,7 @@ impl FlowBound {
                 crossed[e] += 1.0;
             }
         }
-        let mut sums = self.come(&credit);
+        let mut sums = self.enter(&credit);
         let (out, into) = self.far_weights();
         let mut far_in = vec![0.0; sums.len()];
         self.use_far((&out, &into), &mut far_in);
@@ -78,9 +78,9 @@ impl FlowBound {
         self.move_prices(&crossed);
     }
 
-    /// What comes to each state along legs of pairs with tables, and to each item in all, before both are divided by that. `credit`: the prices that
+    /// What enters each state along legs of pairs with tables, and each item in all, before both are divided by the latter. `credit`: the prices that
     /// each pair is given.
-    fn come(&mut self, credit: &[f64]) -> Vec<f64> {
+    fn enter(&mut self, credit: &[f64]) -> Vec<f64> {
         let colder = 1.0 / self.temperature;
         let flow = &mut self.flow;
         flow.inflow.clear();
@@ -114,7 +114,7 @@ impl FlowBound {
         sums
     }
 
-    /// What leaves each state along these legs. `part`: by what flows to each item are multiplied, so that it is come to once.
+    /// What leaves each state along these legs. `part`: by what the flow into each item is multiplied, so that it is entered once.
     fn leave(&mut self, part: &[f64]) {
         let flow = &mut self.flow;
         flow.usage.clear();

@@ -107,7 +107,7 @@ impl Orders {
         let bits = |items: &mut dyn Iterator<Item = usize>| items.fold(0, |set, i| set | 1 << (i - first));
         let end = ground.spaces.last()?;
         let memory =
-            |s: &super::space::State| bits(&mut remembered(&ground.company, s.item, s.memory).into_iter());
+            |s: &super::space::State| bits(&mut remembered(&ground.ng_sets, s.item, s.memory).into_iter());
         let before =
             |next: usize| bits(&mut (first..count).filter(|&past| ground.order.forbids(next, past, false)));
         let directed = ground.prices.directed();

@@ -37,6 +37,7 @@
 //! The parts with further stops: worked out here.
 
 mod cut;
+mod groups;
 mod halve;
 mod proof;
 mod repair;

@@ -2,36 +2,14 @@
 
 use super::StopBound;
 use super::cut::Partition;
+use super::groups::{Groups, Join, LITTLE, NOWHERE};
 use crate::geometry::Union;
 use crate::order::{real, sort_by};
-use std::collections::BTreeMap;
 
-/// What is missing below this share of what there should be is no fault: the smooth solution is nowhere exact.
-const ENOUGH: f64 = 0.985;
-/// Less than this is no fault either, in parts.
-const LITTLE: f64 = 0.01;
 /// Legs and places that are used less do not hold a part together.
 const USED: f64 = 1e-3;
 /// Most cuts, as a multiple of the number of items: each takes time in every step.
 const MOST_CUTS: usize = 20;
-/// No place.
-const NOWHERE: usize = usize::MAX;
-
-/// A part that grows: its places, the legs out of it, and the stops of each item in it.
-#[derive(Clone, Debug, Default)]
-struct Group {
-    places: Vec<usize>,
-    legs: f64,
-    stops: BTreeMap<usize, f64>,
-}
-
-/// Two places with a leg between them, and how much it is used.
-struct Join {
-    places: [usize; 2],
-    uses: f64,
-    /// The share of the legs at the less used of its ends.
-    part: f64,
-}
 
 impl StopBound {
     /// Adds cuts: joins places by the legs that are most used, and looks at each part that comes about, and at all parts together. Places are
@@ -64,91 +42,20 @@ impl StopBound {
     /// The parts that come about when places are joined: each single one that is not connected with the rest, those with the largest
     /// fault first, and all that there are at the moment when most is missing between them. As the part of each place, 0 for that of home.
     fn torn(&self, place: &[usize]) -> Vec<Vec<u32>> {
-        let mut groups = vec![Group::default(); place.len()];
-        let mut group: Vec<usize> = (0..place.len()).collect();
-        // The stops of each item, and in how many groups it has some.
-        let mut all = vec![0.0; self.members.len()];
-        let mut spread = vec![0_usize; self.members.len()];
-        for (k, all) in all.iter_mut().enumerate().skip(self.first) {
-            for v in self.base[k]..self.base[k] + self.members[k].item.knots {
-                if place[v] != NOWHERE {
-                    let of = &mut groups[place[v]];
-                    if of.places.is_empty() {
-                        of.places.push(place[v]);
-                    }
-                    of.legs += self.offered[v];
-                    *of.stops.entry(k).or_default() += self.stay[v];
-                    *all += self.stay[v];
-                }
-            }
-        }
-        groups.iter().for_each(|g| g.stops.keys().for_each(|&k| spread[k] += 1));
         let joins = self.joins(place);
-        let mut beside: Vec<Vec<(usize, f64)>> = vec![Vec::new(); place.len()];
-        for join in &joins {
-            let [p, q] = join.places;
-            beside[p].push((q, join.uses));
-            beside[q].push((p, join.uses));
-        }
-        // How surely a group has a stop.
-        let stops = |g: &Group| {
-            let of = |(k, s): (&usize, &f64)| if *s > 0.999 * all[*k] { 1.0 } else { s.min(1.0) };
-            g.stops.iter().map(of).fold(0.0, f64::max)
-        };
-        // What all groups together ask for, what there is of it, and the state when most is missing.
-        let mut asked: f64 = groups.iter().map(stops).sum();
-        let mut legs: f64 = 0.5 * groups.iter().map(|g| g.legs).sum::<f64>() + 0.5 * self.home_legs();
-        let mut again: f64 =
-            (self.first..spread.len()).filter(|&k| spread[k] > 1).map(|k| self.again[k]).sum();
-        let mut count = groups.iter().filter(|g| !g.places.is_empty()).count();
-        let missing = |asked: f64, legs: f64, again: f64, count: usize| {
-            asked - again - legs * count as f64 / (count + 1) as f64
-        };
-        let (mut most, mut at) = (missing(asked, legs, again, count), 0);
+        let mut groups = Groups::new(self, place, &joins);
+        // The state when most is missing.
+        let (mut most, mut at) = (groups.missing(), 0);
         let mut merges: Vec<[usize; 2]> = Vec::new();
         let mut found: Vec<(f64, Vec<usize>)> = Vec::new();
         for join in joins.iter().filter(|j| j.uses > USED) {
-            let [mut a, mut b] = join.places.map(|p| group[p]);
-            if a == b {
-                continue;
-            }
-            if groups[a].places.len() < groups[b].places.len() {
-                std::mem::swap(&mut a, &mut b);
-            }
-            asked -= stops(&groups[a]) + stops(&groups[b]);
-            let small = std::mem::take(&mut groups[b]);
-            let between: f64 =
-                small.places.iter().flat_map(|&p| &beside[p]).filter(|l| group[l.0] == a).map(|l| l.1).sum();
-            small.places.iter().for_each(|&p| group[p] = a);
-            let large = &mut groups[a];
-            large.places.extend(&small.places);
-            large.legs += small.legs - 2.0 * between;
-            legs -= between;
-            for (k, s) in small.stops {
-                if let Some(here) = large.stops.get_mut(&k) {
-                    *here += s;
-                    spread[k] -= 1;
-                    if spread[k] == 1 {
-                        again -= self.again[k];
-                    }
-                } else {
-                    large.stops.insert(k, s);
-                }
-            }
-            let sure = stops(large);
-            asked += sure;
-            count -= 1;
+            let Some(group) = groups.join(join.places) else { continue };
             merges.push(join.places);
-            let now = missing(asked, legs, again, count);
+            let now = groups.missing();
             if now > most {
                 (most, at) = (now, merges.len());
             }
-            let divided =
-                large.stops.iter().filter(|(k, s)| **s <= 0.999 * all[**k]).map(|(k, _)| self.again[*k]);
-            let there = 0.5 * large.legs + divided.sum::<f64>();
-            if there < ENOUGH * sure - LITTLE {
-                found.push((sure - there, large.places.clone()));
-            }
+            found.extend(groups.fault(group));
         }
         sort_by(&mut found, |f| [u64::MAX - real(f.0), f.1.len() as u64, 0]);
         found.truncate(self.members.len() / 2 + 1);
@@ -165,7 +72,7 @@ impl StopBound {
     }
 
     /// How much the legs of home are used.
-    fn home_legs(&self) -> f64 {
+    pub(super) fn home_legs(&self) -> f64 {
         self.offered[..self.base.get(self.first).copied().unwrap_or(0)].iter().sum()
     }
 

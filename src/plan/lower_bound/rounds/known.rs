@@ -1,9 +1,9 @@
 //! The best path that is known, with its best entries, on machines whose axes have limits of their own (`level`). Its mixtures price legs, and no order that
-//! takes longer is looked at.
+//! takes longer is enumerated.
 //!
-//! It comes from a search beside the bound or from a look at all orders, which may find a better one (`learn.rs`). If it is known before the walks
+//! It comes from a search beside the bound or from an enumeration of orders, which may find a better one (`learn.rs`). If it is known before the walks
 //! begin, they use its mixtures from their first round on, so that charges fit them; this proves the optimum soonest. But mixtures on large pieces prove less than the
-//! closest functions, and it may come to no end. Then everything begins again (`LowerBound`), and mixtures are used once a look at all orders has come to its end, when
+//! closest functions, and the bound may come to no end. Then everything begins again (`LowerBound`), and mixtures are used once an enumeration has come to its end, when
 //! pieces are small where it matters.
 
 use super::super::known_path::KnownPath;

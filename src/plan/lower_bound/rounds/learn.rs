@@ -10,7 +10,8 @@ use super::known::Known;
 
 /// Paths whose seconds differ by a smaller share are the same.
 const SAME_PATH: f64 = 1e-9;
-/// After a look that mixtures made too large, they are taken again when the gap has fallen to this share: after one or two looks without them.
+/// After an enumeration that mixtures made too large, they are taken again when the gap has fallen to this share: after one or two enumerations
+/// without them.
 const AGAIN: f64 = 0.25;
 
 impl Strong {
@@ -19,9 +20,9 @@ impl Strong {
         self.ground.prices.minorant.limits.is_some()
     }
 
-    /// Learns of a path. Once all orders are looked at, these show better ones themselves. Returns whether it is the first one and walks have not begun.
+    /// Learns of a path. Once all orders are enumerated, these show better ones themselves. Returns whether it is the first one and walks have not begun.
     pub(in super::super) fn knows(&mut self, path: &[Entry]) -> bool {
-        if self.looked.has_begun || self.ground.prices.given() {
+        if self.enumerations.has_begun || self.ground.prices.given() {
             return false;
         }
         let items = &self.ground.items;
@@ -53,9 +54,9 @@ impl Strong {
         true
     }
 
-    /// The same for the orders that a look leaves. Legs are priced by the mixtures of the best path from now on; returns whether they are new. `gap`: between
+    /// The same for the orders that an enumeration leaves. Legs are priced by the mixtures of the best path from now on; returns whether they are new. `gap`: between
     /// the known path and the bound, s.
-    pub(super) fn learn_in_look(&mut self, orders: &[Vec<Visit>], gap: f64) -> bool {
+    pub(super) fn learn_from_orders(&mut self, orders: &[Vec<Visit>], gap: f64) -> bool {
         self.learn(orders);
         gap <= self.known.wait_for && self.take_mixtures()
     }
@@ -72,7 +73,7 @@ impl Strong {
         self.known.from_start && self.take_mixtures()
     }
 
-    /// Whether the known path is proven optimal, as far as orders are looked at, and rounding.
+    /// Whether the known path is proven optimal, as far as orders are enumerated, and rounding.
     pub(in super::super) fn has_proven(&self, upper: f64) -> bool {
         self.best >= upper.min(self.known.path.seconds) * (1.0 - 2.0 * self.exact())
     }
@@ -86,7 +87,7 @@ impl Strong {
         self.known = Known { path, mixtures, ..Known::default() };
     }
 
-    /// After a look that was given up: goes on without mixtures, if there are any, and takes them again when the gap is smaller. On large pieces they lie lower
+    /// After an enumeration that was given up: goes on without mixtures, if there are any, and takes them again when the gap is smaller. On large pieces they lie lower
     /// than the closest functions, so that more orders may be left than there is room for.
     pub(super) fn drop_mixtures(&mut self, gap: f64) -> bool {
         if self.known.from_start {
@@ -97,7 +98,7 @@ impl Strong {
         if had_any {
             self.known.wait_for = AGAIN * gap;
             self.known.mixtures.get_or_insert(dropped);
-            self.looked.begin_again(&mut self.ground.items);
+            self.enumerations.begin_again(&mut self.ground.items);
             self.prepare(true);
         }
         had_any

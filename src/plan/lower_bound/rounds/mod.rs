@@ -1,16 +1,16 @@
 //! The strong bound: walks, charges and cuts that drive them to visit every item once (`bundle.rs`, `cuts.rs`), and rounds after which walks
-//! remember more and contours are divided more finely (`sharpen.rs`). When few orders can be better than the known path, all of them are looked at (`close.rs`).
+//! remember more and contours are divided more finely (`sharpen.rs`). When few orders can be better than the known path, all of them are enumerated (`close.rs`).
 
 mod bundle;
 mod close;
-mod company;
 mod cuts;
+mod enumerations;
 mod excess;
 #[cfg(feature = "research")]
 mod known;
 #[cfg(feature = "research")]
 mod learn;
-mod looks;
+mod ng_sets;
 #[cfg(feature = "research")]
 mod record;
 mod sharpen;
@@ -27,11 +27,11 @@ use super::space::Space;
 use super::walks::{Ground, Pass, Visit};
 use crate::problem::Problem;
 use bundle::Bundle;
-pub(super) use company::nearest_company;
+use enumerations::{ENUMERATES_ORDERS, Enumerations};
 use excess::seconds;
 #[cfg(feature = "research")]
 use known::Known;
-use looks::{LOOKS_AT_ORDERS, Looks};
+pub(super) use ng_sets::nearest_ng_sets;
 #[cfg(feature = "research")]
 pub(super) use {excess::legs, record::Record};
 
@@ -73,8 +73,8 @@ pub(super) struct Strong {
     pub(super) record: Option<Box<Record>>,
     looks: usize,
     walks: Vec<(f64, Vec<Visit>)>,
-    /// The company of each item in the round before.
-    company_before: Vec<Vec<usize>>,
+    /// The ng-sets in the round before.
+    ng_sets_before: Vec<Vec<usize>>,
     /// The best path that is known with its best entries.
     #[cfg(feature = "research")]
     known: Known,
@@ -82,10 +82,10 @@ pub(super) struct Strong {
     without_cuts: bool,
     /// Walks cannot remember more: there would be too many states.
     full: bool,
-    /// The look at all orders, while there is one, and what is known of such looks.
+    /// The enumeration of all orders, while there is one, and what is known of enumerations.
     orders: Option<Box<Orders>>,
-    looked: Looks,
-    /// Work done, and the part of it that went to looks at all orders.
+    enumerations: Enumerations,
+    /// Work done, and the part of it that went to enumerations.
     work: u64,
     on_orders: u64,
 }
@@ -100,7 +100,7 @@ impl Strong {
         let scan = Scan::new(&items, first);
         let ground = Ground {
             pairs: Pairs::new(count),
-            company: vec![Vec::new(); count],
+            ng_sets: vec![Vec::new(); count],
             spaces: Vec::new(),
             items,
             first,
@@ -120,13 +120,13 @@ impl Strong {
             record: None,
             looks: 0,
             walks: Vec::new(),
-            company_before: vec![Vec::new(); count],
+            ng_sets_before: vec![Vec::new(); count],
             #[cfg(feature = "research")]
             known: Known::default(),
             without_cuts: false,
             full: false,
             orders: None,
-            looked: Looks::default(),
+            enumerations: Enumerations::default(),
             work: 0,
             on_orders: 0,
         }
@@ -188,16 +188,16 @@ impl Strong {
                 self.passes = <[Pass; 2]>::default();
                 work
             }
-            Task::Orders if LOOKS_AT_ORDERS => self.look_at_orders(upper),
+            Task::Orders if ENUMERATES_ORDERS => self.enumerate_orders(upper),
             Task::Orders | Task::Nothing => 0,
         }
     }
 
-    /// Lays out the states of the walks. If there would be too many, the company of the round before is restored for good.
+    /// Lays out the states of the walks. If there would be too many, the ng-sets of the round before are restored for good.
     fn new_spaces(&mut self) -> u64 {
         let ground = &mut self.ground;
-        if ground.company.iter().all(Vec::is_empty) {
-            ground.company = nearest_company(&ground.items, ground.first, &ground.pairs);
+        if ground.ng_sets.iter().all(Vec::is_empty) {
+            ground.ng_sets = nearest_ng_sets(&ground.items, ground.first, &ground.pairs);
         }
         let symmetric = ground.first == 1 && ground.order.is_free() && !ground.prices.directed();
         let sides = if symmetric { 0..1 } else { 0..2 };
@@ -205,7 +205,7 @@ impl Strong {
         if let Some(mut spaces) = spaces {
             spaces.iter_mut().for_each(|s| s.lay_out(|i| ground.items[i].knots));
             ground.spaces = spaces;
-            self.task = if self.looked.has_begun {
+            self.task = if self.enumerations.has_begun {
                 Task::Orders
             } else {
                 // Given prices stay, and home may be several points then.
@@ -217,7 +217,7 @@ impl Strong {
         } else if self.full {
             self.task = Task::Nothing;
         } else {
-            ground.company.clone_from(&self.company_before);
+            ground.ng_sets.clone_from(&self.ng_sets_before);
             self.full = true;
         }
         let ground = &self.ground;
@@ -266,7 +266,7 @@ impl Strong {
         self.looks >= MOST_LOOKS || self.bundle.promised() < WORTH * (upper - self.bundle.value)
     }
 
-    /// Looks at all orders if few may be left, and begins a round otherwise.
+    /// Enumerates all orders if few may be left, and begins a round otherwise.
     fn next_round(&mut self, upper: f64) {
         #[cfg(feature = "research")]
         if self.take_in_round() {
@@ -280,7 +280,7 @@ impl Strong {
 
     /// Begins a round with more memory where walks went in circles, and halved pieces where legs lost seconds.
     fn sharpen(&mut self, upper: f64) {
-        self.company_before.clone_from(&self.ground.company);
+        self.ng_sets_before.clone_from(&self.ground.ng_sets);
         self.walks = self.bundle.mixture();
         let fuller = !self.full && self.remember();
         let nearer = self.give_tables();

@@ -16,11 +16,11 @@ pub(in super::super) struct Record {
     pub(in super::super) value: f64,
     knots: Vec<Vec<f64>>,
     near: Vec<Vec<usize>>,
-    company: Vec<Vec<usize>>,
+    ng_sets: Vec<Vec<usize>>,
     charges: Charges,
     mixtures: Mixtures,
-    /// If the value is not that of walks but of all orders: the knots of all looks at them, also of pieces that were dropped.
-    looks: Option<Vec<Vec<f64>>>,
+    /// If the value is not that of walks but of all orders: the knots of all enumerations, also of pieces that were dropped.
+    enumerated: Option<Vec<Vec<f64>>>,
     /// And the walks before.
     before: Option<Box<Self>>,
 }
@@ -42,26 +42,26 @@ impl Record {
             value,
             knots: ground.items.iter().map(|i| i.along.clone()).collect(),
             near: near.into_iter().map(sorted).collect(),
-            company: ground.company.iter().cloned().map(sorted).collect(),
+            ng_sets: ground.ng_sets.iter().cloned().map(sorted).collect(),
             charges: charges.clone(),
             mixtures: ground.prices.mixtures.clone(),
-            looks: None,
+            enumerated: None,
             before: None,
         }
     }
 
-    /// The same for a value that is not that of walks, but of all orders. `looks`: the knots of all looks at them; `before`: the record so far.
-    pub(super) fn of_all_orders(self, looks: &[Vec<f64>], before: Option<Box<Self>>) -> Self {
+    /// The same for a value that is not that of walks, but of all orders. `knots`: those of all enumerations; `before`: the record so far.
+    pub(super) fn of_all_orders(self, knots: &[Vec<f64>], before: Option<Box<Self>>) -> Self {
         let of_walks =
-            before.and_then(|record| if record.looks.is_none() { Some(record) } else { record.before });
-        Self { looks: Some(looks.to_vec()), before: of_walks, ..self }
+            before.and_then(|record| if record.enumerated.is_none() { Some(record) } else { record.before });
+        Self { enumerated: Some(knots.to_vec()), before: of_walks, ..self }
     }
 
     /// The certificate: that of walks if all orders would take too long to check. `None` if its numbers do not fit each other, which a fault of this
     /// program would be.
     pub(in super::super) fn certificate(&self, problem: &Problem) -> Option<WalkCertificate> {
-        let Some(looks) = &self.looks else { return self.proven(problem, &self.knots, false) };
-        let of_orders = self.proven(problem, looks, true);
+        let Some(knots) = &self.enumerated else { return self.proven(problem, &self.knots, false) };
+        let of_orders = self.proven(problem, knots, true);
         of_orders.or_else(|| self.before.as_ref()?.certificate(problem))
     }
 
@@ -80,7 +80,7 @@ impl Record {
             unit: power,
             knots: knots.to_vec(),
             near: self.near.clone(),
-            company: self.company.clone(),
+            ng_sets: self.ng_sets.clone(),
             charges: charges.iter().map(|&charge| units(charge, power)).collect(),
             cuts: self.charges.cuts().iter().zip(prices).map(cut).filter(|c| c.price > 0).collect(),
             mixtures: self.mixtures.list(),

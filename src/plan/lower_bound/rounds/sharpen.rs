@@ -6,8 +6,8 @@ use super::Strong;
 use super::excess::legs;
 use crate::order::sort_by;
 
-/// Largest company of an item: its states may double with each member.
-const MOST_COMPANY: usize = 16;
+/// Largest ng-set of an item: its states may double with each member.
+const LARGEST_NG_SET: usize = 16;
 /// Most stops of a cycle or precedence fault that is removed: every item on it must remember more.
 const LONGEST: usize = 12;
 /// Members that a round adds to companies, as a share of the number of items: each may double the states of an item, and after the first of them other
@@ -39,9 +39,9 @@ impl Strong {
             let (walk, last) = (&self.walks[w].1, i + 1 + length);
             for between in &walk[i + 1..last] {
                 for fault in [walk[i].item, walk[last].item] {
-                    let company = &mut self.ground.company[between.item];
-                    if company.len() < MOST_COMPANY && between.item != fault && !company.contains(&fault) {
-                        company.push(fault);
+                    let ng_set = &mut self.ground.ng_sets[between.item];
+                    if ng_set.len() < LARGEST_NG_SET && between.item != fault && !ng_set.contains(&fault) {
+                        ng_set.push(fault);
                         added += 1;
                     }
                 }

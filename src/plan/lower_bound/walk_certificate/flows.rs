@@ -25,8 +25,9 @@ pub struct FlowCertificate {
     /// For each item those of a higher number that it is near, in ascending order: legs between them are priced from knot to knot, all others, but
     /// those of home, by boxes.
     pub near: Vec<Vec<usize>>,
-    /// For each item which others are remembered there, in ascending order.
-    pub company: Vec<Vec<usize>>,
+    /// For each item which others are remembered there (its ng-set), in ascending order.
+    #[serde(rename = "company")]
+    pub ng_sets: Vec<Vec<usize>>,
     /// The potentials of each state at each knot of its item, in units, in the order in which the check finds the states; those of home last.
     pub potentials: Vec<Vec<i64>>,
     /// The cuts with prices.
@@ -44,9 +45,9 @@ impl FlowCertificate {
         &self,
         problem: &Problem,
     ) -> Result<Vec<(usize, Vec<usize>)>, CertificateFault> {
-        let ground = read(&self.knots, [&self.near, &self.company], self.unit, problem)?;
+        let ground = read(&self.knots, [&self.near, &self.ng_sets], self.unit, problem)?;
         let states = ground.states()?;
-        let barred = |s: usize| states.barred_in(s, &self.company).collect();
+        let barred = |s: usize| states.barred_in(s, &self.ng_sets).collect();
         Ok((0..states.item.len()).map(|s| (states.item[s], barred(s))).collect())
     }
 }
@@ -60,7 +61,7 @@ impl Certified for FlowCertificate {
         if !applies(problem) {
             return Err(CertificateFault::Problem);
         }
-        let ground = read(&self.knots, [&self.near, &self.company], self.unit, problem)?;
+        let ground = read(&self.knots, [&self.near, &self.ng_sets], self.unit, problem)?;
         let states = ground.states()?;
         let walks = ground.walks(&states);
         walks.are_few(&Most::OF_WALKS, self.cuts.len(), 1)?;

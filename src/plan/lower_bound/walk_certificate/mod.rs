@@ -54,8 +54,9 @@ pub struct WalkCertificate {
     /// For each item those of a higher number that it is near, in ascending order: legs between them are priced from knot to knot, all others, but
     /// those of home, by boxes.
     pub near: Vec<Vec<usize>>,
-    /// For each item which others walks remember there, in ascending order.
-    pub company: Vec<Vec<usize>>,
+    /// For each item which others walks remember there (its ng-set), in ascending order.
+    #[serde(rename = "company")]
+    pub ng_sets: Vec<Vec<usize>>,
     /// For each item what a stop there pays, in units; nothing at home.
     pub charges: Vec<i64>,
     /// The cuts with prices.
@@ -79,7 +80,7 @@ impl Certified for WalkCertificate {
         if !applies(problem) {
             return Err(CertificateFault::Problem);
         }
-        let mut ground = read(&self.knots, [&self.near, &self.company], self.unit, problem)?;
+        let mut ground = read(&self.knots, [&self.near, &self.ng_sets], self.unit, problem)?;
         let mixtures = Mixtures::read(&self.mixtures, ground.items.len());
         ground.prices.mixtures = mixtures.ok_or(CertificateFault::Shape("mixtures"))?;
         self.fits(ground.items.len(), ground.first)?;
@@ -95,7 +96,7 @@ impl Certified for WalkCertificate {
         let least = if self.all_orders {
             let limit = i128::from(self.bound) + beside;
             let limit = i64::try_from(limit).map_err(|_| CertificateFault::Shape("bound"))?;
-            walks.best_tour(&costs, &self.company, limit.min(NONE / 2))?
+            walks.best_tour(&costs, &self.ng_sets, limit.min(NONE / 2))?
         } else {
             walks.shortest(&costs)?
         };
@@ -131,7 +132,7 @@ struct Ground<'c> {
     prices: Prices,
     order: Order,
     near: &'c [Vec<usize>],
-    company: &'c [Vec<usize>],
+    ng_sets: &'c [Vec<usize>],
     /// By how many seconds the least seconds of legs are lowered.
     guard: f64,
 }
@@ -140,7 +141,7 @@ struct Ground<'c> {
 /// `power`: the unit of the certificate.
 fn read<'c>(
     knots: &[Vec<f64>],
-    [near, company]: [&'c [Vec<usize>]; 2],
+    [near, ng_sets]: [&'c [Vec<usize>]; 2],
     power: i32,
     problem: &Problem,
 ) -> Result<Ground<'c>, CertificateFault> {
@@ -156,14 +157,14 @@ fn read<'c>(
     if power != right {
         return Err(CertificateFault::Shape("units"));
     }
-    let ground = Ground { items, first, order: Order::new(problem, first), near, company, guard, prices };
+    let ground = Ground { items, first, order: Order::new(problem, first), near, ng_sets, guard, prices };
     ground.fits()?;
     Ok(ground)
 }
 
 impl Ground<'_> {
     fn states(&self) -> Result<States, CertificateFault> {
-        States::new((self.near, self.company), &self.order, self.first)
+        States::new((self.near, self.ng_sets), &self.order, self.first)
     }
 
     fn walks<'w>(&'w self, states: &'w States) -> Walks<'w> {
@@ -191,9 +192,9 @@ impl Ground<'_> {
         if self.near.len() != count || !self.near.iter().enumerate().all(near) {
             return Err(CertificateFault::Shape("near items"));
         }
-        let company =
+        let ng_sets =
             |(item, list): (usize, &Vec<usize>)| inside(list, first) && (item >= first || list.is_empty());
-        if self.company.len() != count || !self.company.iter().enumerate().all(company) {
+        if self.ng_sets.len() != count || !self.ng_sets.iter().enumerate().all(ng_sets) {
             return Err(CertificateFault::Shape("lists of company"));
         }
         Ok(())

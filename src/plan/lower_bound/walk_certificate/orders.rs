@@ -52,10 +52,10 @@ impl Walks<'_> {
     pub(super) fn best_tour(
         &self,
         costs: &Costs,
-        company: &[Vec<usize>],
+        ng_sets: &[Vec<usize>],
         limit: i64,
     ) -> Result<i64, CertificateFault> {
-        let orders = Orders::new(self, costs, company, limit)?;
+        let orders = Orders::new(self, costs, ng_sets, limit)?;
         let mut level = orders.ends();
         let mut work = 0;
         for ahead in 2..=orders.count() {
@@ -71,7 +71,7 @@ impl<'c> Orders<'c> {
     fn new(
         walks: &'c Walks<'c>,
         costs: &'c Costs,
-        company: &[Vec<usize>],
+        ng_sets: &[Vec<usize>],
         limit: i64,
     ) -> Result<Self, CertificateFault> {
         let (first, items) = (walks.first, walks.items.len());
@@ -85,7 +85,7 @@ impl<'c> Orders<'c> {
             |list: &mut dyn Iterator<Item = usize>| list.fold(0, |set, item| set | 1 << (item - first));
         let mut states = vec![Vec::new(); items];
         for (state, &item) in walks.states.item.iter().enumerate() {
-            states[item].push((state, bits(&mut walks.states.barred_in(state, company))));
+            states[item].push((state, bits(&mut walks.states.barred_in(state, ng_sets))));
         }
         let must_follow =
             |item: usize| bits(&mut (first..items).filter(|&other| walks.order.forbids(other, item, false)));

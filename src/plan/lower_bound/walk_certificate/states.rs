@@ -1,7 +1,7 @@
-//! The states of walks as the check of a certificate knows them: the item where a walk is, and which of the items in this item's company it must not
-//! come to any more.
+//! The states of walks as the check of a certificate knows them: the item where a walk is, and which of the items in this item's ng-set it must not
+//! visit any more.
 //!
-//! A walk must not come back to an item, nor to one that has to be before an item it has been to. It knows that of an item as long as this item is in the company
+//! A walk must not come back to an item, nor to one that has to be before an item it has been to. It knows that of an item as long as this item is in the ng-sets
 //! of all items since.
 
 use super::super::certificate::CertificateFault;
@@ -67,20 +67,20 @@ pub(super) struct States {
 }
 
 impl States {
-    /// The states of walks over the items from `first` on. `near`: for each item the later ones that it is near; `company`: for each item what walks
+    /// The states of walks over the items from `first` on. `near`: for each item the later ones that it is near; `ng_sets`: for each item what walks
     /// remember there.
     pub(super) fn new(
-        (near, company): (&[Vec<usize>], &[Vec<usize>]),
+        (near, ng_sets): (&[Vec<usize>], &[Vec<usize>]),
         order: &Order,
         first: usize,
     ) -> Result<Self, CertificateFault> {
-        let count = company.len();
+        let count = ng_sets.len();
         // Where a walk must not come to after each item.
         let set = |items: &mut dyn Iterator<Item = usize>| Set::of(items, count);
         let barred: Vec<Set> = (0..count)
             .map(|past| set(&mut (first..count).filter(|&i| i == past || order.forbids(past, i, false))))
             .collect();
-        let lists: Vec<Set> = company.iter().map(|list| set(&mut list.iter().copied())).collect();
+        let lists: Vec<Set> = ng_sets.iter().map(|list| set(&mut list.iter().copied())).collect();
         let later: Vec<Set> = near.iter().map(|list| set(&mut list.iter().copied())).collect();
         let are_near = |a: usize, b: usize| later[a.min(b)].has(a.max(b));
         let pairs = |of: usize, near: bool| -> Vec<usize> {
@@ -109,7 +109,7 @@ impl States {
         let mut at = 0;
         while let Some(&item) = states.item.get(at) {
             let mut out = barred[item].clone();
-            states.barred_in(at, company).for_each(|i| out.add(&barred[i]));
+            states.barred_in(at, ng_sets).for_each(|i| out.add(&barred[i]));
             for &next in to_near[item].iter().filter(|&&next| !out.has(next)) {
                 let to = state(&mut states, next, out.and(&lists[next]));
                 let words = states.sets.len() * count.div_ceil(128);
@@ -132,12 +132,12 @@ impl States {
         Ok(states)
     }
 
-    /// What is in the company of a state's item and must not be come to any more.
+    /// What is in the ng-set of a state's item and must not be visited any more.
     pub(super) fn barred_in<'s>(
         &'s self,
         state: usize,
-        company: &'s [Vec<usize>],
+        ng_sets: &'s [Vec<usize>],
     ) -> impl Iterator<Item = usize> + 's {
-        company[self.item[state]].iter().copied().filter(move |&i| self.sets[state].has(i))
+        ng_sets[self.item[state]].iter().copied().filter(move |&i| self.sets[state].has(i))
     }
 }

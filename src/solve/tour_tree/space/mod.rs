@@ -9,16 +9,17 @@
 //! Home is one more item, the last, with one place; the tour starts there. With a table of costs home is the problem's last
 //! item, with all its nodes.
 
-use super::boxes::{ARCS, BoundingBox, arcs};
+mod build;
+
+use super::boxes::{ARCS, BoundingBox};
 use super::index::index;
 use super::leave_places::LeavePlaces;
-use super::ring::GATES;
-use super::ring::{Ring, nearest};
+use super::ring::{GATES, nearest};
 use super::snapshot::TourSnapshot;
 use super::travel::{Place, Places, Travel};
-use crate::geometry::{Aabb, DVec2};
+use crate::geometry::DVec2;
 use crate::machine::PLANS_ALL_LEVERS;
-use crate::problem::{Item, NodeId, Problem};
+use crate::problem::Problem;
 use crate::solve::precedence::Precedence;
 use crate::solve::{Solution, Stop};
 
@@ -73,148 +74,11 @@ enum Kind {
     Directed,
 }
 
-impl<'p> Space<'p> {
-    pub(super) fn new(problem: &'p Problem) -> Self {
-        let n = problem.items.len();
-        let mut s = Self {
-            problem,
-            travel: Travel::new(problem),
-            home: problem.start().unwrap_or(index(n)),
-            first: vec![0],
-            point: Vec::new(),
-            left: Vec::new(),
-            along: Vec::new(),
-            extra: Vec::new(),
-            corner_first: vec![0],
-            corner: Vec::new(),
-            gate_first: vec![0],
-            kind: Vec::with_capacity(n + 1),
-            spacing: Vec::with_capacity(n + 1),
-            arcs: Vec::with_capacity(n + 1),
-            leave_places: LeavePlaces::new(problem),
-            direction_dependent: (0..)
-                .zip(&problem.items)
-                .filter(|(_, i)| i.is_pierce_group())
-                .map(|(id, _)| id)
-                .collect(),
-            whole: Vec::with_capacity(n + 1),
-            most_saved: Vec::new(),
-            rank: problem.items.iter().map(|i| i.rank).collect(),
-            precedence: Precedence::new(problem),
-        };
-        let directed = problem.items.iter().any(|i| i.leads.is_some());
-        s.travel.symmetric &= !directed;
-        let charged = problem.items.iter().any(Item::is_uneven);
-        let rings: Vec<_> = problem.items.iter().map(Ring::new).collect();
-        // Reserved at once: growing the list took longer than everything else here.
-        let count =
-            |(ring, item): (&Option<Ring>, &Item)| ring.as_ref().map_or(item.nodes.len(), |r| r.count);
-        s.point.reserve_exact(rings.iter().zip(&problem.items).map(count).sum::<usize>() + 1);
-        for (item, ring) in problem.items.iter().zip(rings) {
-            let nodes = &problem.nodes[item.nodes.start as usize..item.nodes.end as usize];
-            let (kind, spacing) = match ring {
-                Some(ring) => {
-                    let prices = charged.then(|| ring.prices());
-                    s.point.extend(ring.points(prices.as_ref()));
-                    if let Some(prices) = prices {
-                        s.along.extend(prices.along);
-                        s.extra.extend(prices.extra);
-                        s.corner.extend(prices.corners);
-                    }
-                    (Kind::Ring, ring.spacing)
-                }
-                None => {
-                    debug_assert!(
-                        !s.travel.by_table()
-                            || nodes.is_empty()
-                            || s.point.len() == item.nodes.start as usize,
-                        "a place of a table without its node's number"
-                    );
-                    s.point.extend(nodes.iter().map(|n| n.entry));
-                    if item.leads.is_some() {
-                        s.left.resize(s.point.len() - nodes.len(), DVec2::ZERO);
-                        s.left.extend(nodes.iter().map(|n| n.exit));
-                    }
-                    s.extra.extend(
-                        nodes
-                            .iter()
-                            .zip(item.nodes.clone())
-                            .filter(|_| charged)
-                            .map(|(n, id)| item.extra(id, n.along)),
-                    );
-                    let ends = !nodes.is_empty()
-                        && nodes
-                            .chunks(2)
-                            .zip((item.nodes.start..).step_by(2))
-                            .all(|(n, id)| matches!(n, [a, b] if a.twin == id + 1 && b.twin == id));
-                    let kind = match (ends, item.leads.is_some()) {
-                        (_, true) => Kind::Directed,
-                        (true, _) => Kind::Open,
-                        (false, _) => Kind::Loose,
-                    };
-                    (kind, 0.0)
-                }
-            };
-            s.close_item(kind, spacing, charged);
-        }
-        if problem.table().is_none() {
-            s.point.push(problem.home);
-            s.close_item(Kind::Loose, 0.0, charged);
-            s.rank.push(0);
-        }
-        s.note_links();
-        s
-    }
-
-    /// Notes the links of the problem by place.
-    fn note_links(&mut self) {
-        let Self { problem, .. } = *self;
-        if problem.links.is_empty() {
-            return;
-        }
-        self.travel.symmetric &= problem.links.are_symmetric();
-        self.most_saved = vec![0.0; problem.items.len() + 1];
-        self.travel.links = vec![Vec::new(); self.point.len()];
-        let place = |node: NodeId| {
-            let item = problem.nodes[node as usize].item;
-            self.first[item as usize] + node - problem.items[item as usize].nodes.start
-        };
-        for (from, known) in (0..).zip(&problem.nodes) {
-            for link in problem.links.from(from) {
-                self.travel.links[place(from) as usize].push((place(link.to), link.seconds));
-                for item in [known.item, problem.nodes[link.to as usize].item] {
-                    let most = &mut self.most_saved[item as usize];
-                    *most = link.saved.max(*most);
-                }
-            }
-        }
-    }
-
+impl Space<'_> {
     /// Most seconds that a link from or to an item saves on its air move.
     #[inline(always)]
     pub(super) fn most_saved(&self, item: u32) -> f64 {
         if PLANS_ALL_LEVERS { self.most_saved.get(item as usize).copied().unwrap_or(0.0) } else { 0.0 }
-    }
-
-    /// Finishes an item whose places have been appended.
-    fn close_item(&mut self, kind: Kind, spacing: f64, charged: bool) {
-        let from = self.first[self.first.len() - 1] as usize;
-        let places = &self.point[from..];
-        let left = self.left.get(from..).unwrap_or_default();
-        let b = places.iter().chain(left).fold(Aabb::EMPTY, |b, p| b.with(*p));
-        let whole = BoundingBox::new(b);
-        self.whole.push(whole);
-        self.arcs.push(if kind == Kind::Ring { arcs(places) } else { [whole; ARCS] });
-        let gates = if self.travel.by_table() { places.len() } else { places.len().min(GATES) };
-        self.gate_first.push(self.gate_first[self.gate_first.len() - 1] + index(gates));
-        self.first.push(index(self.point.len()));
-        self.corner_first.push(index(self.corner.len()));
-        if charged {
-            self.along.resize(self.point.len(), 0.0);
-            self.extra.resize(self.point.len(), 0.0);
-        }
-        self.kind.push(kind);
-        self.spacing.push(spacing);
     }
 
     /// An item's places.
