@@ -49,7 +49,7 @@ pub fn rd(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> Result<Vec<u8>,
     }
     if plan.summary.lifts + plan.summary.detours > 0 {
         return Err(OutputError::Format(
-            "Ruida files of Kerfway move the head straight and never lift it: leave out the machine's lift and the pieces that may tip, or write G-code."
+            "Ruida files of Kerfway move the head straight and never lift it: switch off the machine's lift and its ways around pieces that may tip, or write G-code."
                 .to_owned(),
         ));
     }

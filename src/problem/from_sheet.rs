@@ -89,8 +89,10 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
             None => singles.item(id, contour, rank, &items, &mut nodes),
         });
     }
-    let on_kerfs = starts.map(|s| s.on_kerfs(&items, &nodes)).unwrap_or_default();
+    let on_kerfs =
+        starts.filter(|_| PLANS_ALL_LEVERS).map(|s| s.on_kerfs(&items, &nodes)).unwrap_or_default();
     let cooling = heat::cooling(sheet, machine);
+    let chained = chained.filter(|_| PLANS_ALL_LEVERS);
     let links = chained.map_or_else(Links::default, |c| c.links(&items, &nodes, cooling.as_deref()));
     let starts = starts_of(sheet, machine, &items, &nodes, &links, on_kerfs);
     for item in items.iter_mut() {

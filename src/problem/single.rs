@@ -65,7 +65,7 @@ impl Singles<'_, '_> {
         contour: &Contour,
         joints: Option<&ContourJoints>,
     ) -> Option<(ItemLeads, Vec<LeadNode>, f64)> {
-        let starts = self.starts.filter(|_| joints.is_none());
+        let starts = self.starts.filter(|_| PLANS_ALL_LEVERS && joints.is_none());
         let Some((mut leads, mut places, mut least)) = ItemLeads::new(self.planners, id, contour, joints)
         else {
             return starts.filter(|_| contour.path.closed)?.bare_at_edge(id, contour, self.places(id));
@@ -106,7 +106,7 @@ impl Singles<'_, '_> {
 
     /// The places where a contour may be entered that is near others that it may be joined to.
     fn places(&self, id: ItemId) -> Option<&[(f64, DVec2)]> {
-        self.chained.and_then(|c| c.places(id))
+        self.chained.filter(|_| PLANS_ALL_LEVERS)?.places(id)
     }
 }
 

@@ -5,13 +5,24 @@
 //! entered by one of its paths, which are its nodes in the problem. It may be left at the nodes of its net, whatever the path:
 //! they have the numbers after all nodes of the problem. What leaving there costs depends on the path ([`Graph::leave_point`]).
 
-use super::parameters::Neighbourhood;
 use crate::geometry::{Aabb, Buckets};
 use crate::machine::AirTime;
 use crate::order::real;
 use crate::problem::{ItemId, LeavePoint, NodeId, Problem};
 use glam::DVec2;
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
+
+/// Where moves and connections lead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Neighbourhood {
+    /// To a few near nodes; sub-sequences have at most 50 contours.
+    Near,
+    /// To all nodes, with sub-sequences of any length, as in the paper. The memory grows with the square of the number of
+    /// nodes, and the work faster.
+    All,
+}
 
 /// How far moves and connections are searched.
 #[derive(Clone, Copy)]

@@ -1,5 +1,6 @@
 //! The three methods of the paper as solvers.
 
+use super::element_ends::AtElementEnds;
 use super::framework::Framework;
 use super::graph::Graph;
 use super::parameters::{PartitionTree, TreeNodes};
@@ -11,6 +12,18 @@ use serde::{Deserialize, Serialize};
 
 const SOURCE: &str = "Dewil, Vansteenwegen, Cattrysse, Laguna, Vossen: An improvement heuristic framework for the laser \
                       cutting tool path problem. International Journal of Production Research (2014)";
+
+/// Starts a search on some nodes of a problem; its solutions are those of the problem as it is given.
+fn on<'p>(
+    nodes: TreeNodes,
+    problem: &'p Problem,
+    search: impl for<'s> FnOnce(&'s Problem) -> Box<dyn Search + 's>,
+) -> Box<dyn Search + 'p> {
+    match nodes {
+        TreeNodes::Entries => search(problem),
+        TreeNodes::ElementEnds => Box::new(AtElementEnds::new(problem, search)),
+    }
+}
 
 impl Solver for PartitionTree {
     fn info(&self) -> SolverInfo {
@@ -24,7 +37,7 @@ impl Solver for PartitionTree {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        self.nodes.start(problem, |p| self.on_nodes(p, seed))
+        on(self.nodes, problem, |p| self.on_nodes(p, seed))
     }
 }
 
@@ -64,7 +77,7 @@ impl Solver for Pfr {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        self.nodes.start(problem, |p| {
+        on(self.nodes, problem, |p| {
             if Graph::is_one_tree(p) {
                 Box::new(PiecewiseSearch(Framework::construction(p)))
             } else {
@@ -102,6 +115,6 @@ impl Solver for GtspLk {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        self.nodes.start(problem, |p| Box::new(PiecewiseSearch(Single::new(p, seed, self.gtsp_moves))))
+        on(self.nodes, problem, |p| Box::new(PiecewiseSearch(Single::new(p, seed, self.gtsp_moves))))
     }
 }

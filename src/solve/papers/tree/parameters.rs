@@ -1,10 +1,8 @@
 //! Parameters of the partition-tree framework. The defaults are those of the paper, except for `nodes` and
 //! `neighbourhood`.
 
-use super::element_ends::AtElementEnds;
+use super::graph::Neighbourhood;
 use super::repartition::RepartitionMoves;
-use crate::problem::Problem;
-use crate::solve::Search;
 use serde::{Deserialize, Serialize};
 
 /// The initial partitions (section 4.1, table 2).
@@ -39,31 +37,6 @@ pub enum TreeNodes {
     Entries,
     /// The ends of all elements, as in the paper.
     ElementEnds,
-}
-
-impl TreeNodes {
-    /// Starts a search on these nodes; its solutions are those of the problem as it is given.
-    pub(super) fn start<'p>(
-        self,
-        problem: &'p Problem,
-        search: impl for<'s> FnOnce(&'s Problem) -> Box<dyn Search + 's>,
-    ) -> Box<dyn Search + 'p> {
-        match self {
-            Self::Entries => search(problem),
-            Self::ElementEnds => Box::new(AtElementEnds::new(problem, search)),
-        }
-    }
-}
-
-/// Where moves and connections lead.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Neighbourhood {
-    /// To a few near nodes; sub-sequences have at most 50 contours.
-    Near,
-    /// To all nodes, with sub-sequences of any length, as in the paper. The memory grows with the square of the number of
-    /// nodes, and the work faster.
-    All,
 }
 
 /// The partition-tree framework.

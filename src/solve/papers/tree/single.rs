@@ -6,8 +6,7 @@
 //! nearest-neighbour path.
 
 use super::forest::{Forest, ROOT};
-use super::graph::Graph;
-use super::parameters::Neighbourhood;
+use super::graph::{Graph, Neighbourhood};
 use super::{entries, visits};
 use crate::problem::{Item, NodeId, Problem};
 use crate::solve::insight::charts;

@@ -5,8 +5,7 @@ mod moves;
 mod resolution;
 
 use super::forest::{Forest, ROOT};
-use super::graph::Graph;
-use super::parameters::Neighbourhood;
+use super::graph::{Graph, Neighbourhood};
 use crate::problem::{LeavePoint, NodeId, Problem, SubPath};
 use crate::solve::papers::test_sheet;
 use crate::solve::rng::{Draw, Rng};

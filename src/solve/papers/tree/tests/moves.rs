@@ -1,9 +1,8 @@
 //! Repartitioning: every move saves what it claims, each kind is checked by hand, and precedence is kept.
 
 use super::super::forest::{Forest, ROOT};
-use super::super::graph::Graph;
+use super::super::graph::{Graph, Neighbourhood};
 use super::super::moves::{GainfulMoves, TreeMove};
-use super::super::parameters::Neighbourhood;
 use super::super::repartition::{RepartitionMoves, improve};
 use super::super::visits::{keeps_precedence, solution};
 use super::super::{
