@@ -10,7 +10,7 @@ use crate::order::sort_by;
 const LARGEST_NG_SET: usize = 16;
 /// Most stops of a cycle or precedence fault that is removed: every item on it must remember more.
 const LONGEST: usize = 12;
-/// Members that a round adds to companies, as a share of the number of items: each may double the states of an item, and after the first of them other
+/// Members that a round adds to ng-sets, as a share of the number of items: each may double the states of an item, and after the first of them other
 /// walks are best.
 const ADDED: f64 = 0.15;
 /// Share of the gap that the walks may lose at all knots together without being looked at.
