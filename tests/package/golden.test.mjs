@@ -25,7 +25,11 @@ describe('golden plans under Node', () => {
       await planner.plan({ ...plan, allowOffBed: true }).done;
       assert.ok((await planner.output('json')) === golden, `${name} differs from tests/golden/${name}.json`);
       assert.equal((await planner.quote({ material: MATERIAL })).hash, hash);
-      for (const [kind, expected] of Object.entries(outputs)) assert.equal(hashOf(await planner.output(kind)), expected, `${name}, ${kind}`);
+      for (const [kind, expected] of Object.entries(outputs)) {
+        // Where a format cannot hold the plan, the file has the sentence that says so.
+        const written = await planner.output(kind).then(hashOf, (refusal) => refusal.message);
+        assert.equal(written, expected, `${name}, ${kind}`);
+      }
     });
   }
 });
