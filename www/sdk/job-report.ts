@@ -49,7 +49,8 @@ export function jobReport(job: ReportInput): string {
   const { machine, material } = quote;
   const title = `${loaded.name}, ${text.duration(s.total_time)}`;
   const facts: Fact[] = [
-    [w.machine, [machine.title, quote.setting, `${text.length(machine.cut.speed)}/s`, machine.kerf_width ? `⌀ ${text.length(machine.kerf_width)}` : null].filter((word) => word != null).join(', ')],
+    [w.machine, [machine.title, quote.setting, `${text.length(machine.cut.speed)}/s`].filter((word) => word != null).join(', ')],
+    [w.kerf, machine.kerf_width ? text.length(machine.kerf_width) : ''],
     [w.material, [material.name, material.thickness == null ? null : text.length(material.thickness)].filter((word) => word != null).join(', ')],
     [w.size, w.readIn(text.size(quote.bounds[2] - quote.bounds[0], quote.bounds[3] - quote.bounds[1]), quote.input.units, quote.input.units_source)],
     [w.parts, w.different(quote.part_count, quote.parts.length)],

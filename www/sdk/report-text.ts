@@ -27,6 +27,8 @@ export interface ReportText {
 /** The words of a report. What holds a value is a function. */
 export interface ReportWords {
   machine: string;
+  /** The width of the cut. */
+  kerf: string;
   material: string;
   size: string;
   parts: string;
@@ -96,7 +98,7 @@ export const ENGLISH: ReportText = {
   length: (mm) => `${number(mm)} mm`, size: (width, height) => `${number(width)} × ${number(height)} mm`, far: (mm) => `${(mm / 1000).toFixed(2)} m`, area: (mm2) => `${fixed(mm2 / 100, 2)} cm²`,
   finding: (finding) => finding.message,
   words: {
-    machine: 'Machine', material: 'Material', size: 'Size', parts: 'Parts', weight: 'Weight', printed: 'Printed', picture: 'The path of the beam, with order and direction',
+    machine: 'Machine', kerf: 'Kerf width', material: 'Material', size: 'Size', parts: 'Parts', weight: 'Weight', printed: 'Printed', picture: 'The path of the beam, with order and direction',
     time: 'Time', job: 'Job', cutting: 'Cutting', air: 'Air moves', piercing: 'Piercing', preCuts: 'Pre-cuts', nearest: 'Nearest first', gap: 'Left to gain', noBound: 'no bound yet', nothing: 'nothing: this path is optimal',
     layers: 'Layers', layer: 'Layer', operation: 'Operation', contours: 'Contours', contour: 'Contour', length: 'Length', count: 'Count', area: 'Area', toCut: 'To cut', holes: 'Holes',
     findings: 'Findings', order: 'Cutting order', no: 'No.', begins: 'Begins', entry: 'Entry, mm', none: 'None.',

@@ -67,7 +67,7 @@ export const es: Words = {
   sentences,
 
   report: {
-    machine: 'Máquina', material: 'Material', size: 'Tamaño', parts: 'Piezas', weight: 'Peso', printed: 'Impreso', picture: 'El recorrido del haz con orden y sentido',
+    machine: 'Máquina', kerf: 'Ancho de corte', material: 'Material', size: 'Tamaño', parts: 'Piezas', weight: 'Peso', printed: 'Impreso', picture: 'El recorrido del haz con orden y sentido',
     time: 'Tiempo', job: 'Trabajo', cutting: 'Corte', air: 'Movimientos en vacío', piercing: 'Perforación', preCuts: 'Precortes', nearest: 'El más cercano primero', gap: 'Aún por ganar', noBound: 'todavía sin cota', nothing: 'nada: este recorrido es óptima',
     layers: 'Capas', layer: 'Capa', operation: 'Operación', contours: 'Contornos', contour: 'Contorno', length: 'Longitud', count: 'Cantidad', area: 'Área', toCut: 'Por cortar', holes: 'Agujeros',
     findings: 'Observaciones', order: 'Orden de corte', no: 'N.º', begins: 'Empieza', entry: 'Entrada, mm', none: 'Ninguna.',

@@ -64,7 +64,7 @@ export const ja: Words = {
   sentences,
 
   report: {
-    machine: '機械', material: '材料', size: '大きさ', parts: '部品', weight: '重量', printed: '印刷', picture: 'ビームの経路（順番と向き）',
+    machine: '機械', kerf: 'カーフ幅', material: '材料', size: '大きさ', parts: '部品', weight: '重量', printed: '印刷', picture: 'ビームの経路（順番と向き）',
     time: '時間', job: 'ジョブ', cutting: '切断', air: '空送り', piercing: 'ピアス', preCuts: '予備切断', nearest: '最も近い順', gap: '残る短縮余地', noBound: '下限はまだありません', nothing: 'なし：この経路が最適です',
     layers: 'レイヤー', layer: 'レイヤー', operation: '加工', contours: '輪郭', contour: '輪郭', length: '長さ', count: '数', area: '面積', toCut: '切断長', holes: '穴',
     findings: '検出事項', order: '切断順', no: '順番', begins: '開始', entry: '入口、mm', none: 'なし。',

@@ -64,7 +64,7 @@ export const zh: Words = {
   sentences,
 
   report: {
-    machine: '机器', material: '材料', size: '尺寸', parts: '零件', weight: '重量', printed: '打印时间', picture: '光束路径，含顺序和方向',
+    machine: '机器', kerf: '割缝宽度', material: '材料', size: '尺寸', parts: '零件', weight: '重量', printed: '打印时间', picture: '光束路径，含顺序和方向',
     time: '时间', job: '任务', cutting: '切割', air: '空移', piercing: '穿孔', preCuts: '预切', nearest: '最近优先', gap: '尚可节省', noBound: '尚无下界', nothing: '无：此路径已最优',
     layers: '图层', layer: '图层', operation: '加工', contours: '轮廓', contour: '轮廓', length: '长度', count: '数量', area: '面积', toCut: '切割长度', holes: '孔',
     findings: '检查结果', order: '切割顺序', no: '序号', begins: '开始', entry: '入口，mm', none: '无。',
