@@ -270,6 +270,31 @@ describe('the service', () => {
     assert.equal(await metric('kerfway_errors_total'), full.length);
   });
 
+  it('answered what is no request without a body, although each error has one', async (t) => {
+    const { url, send } = await serve(t);
+    const { hostname, port } = new URL(url);
+    const answer = (text) => new Promise((resolve, reject) => {
+      let said = '';
+      const socket = connect(Number(port), hostname, () => socket.write(text));
+      socket.on('data', (data) => (said += data)).on('close', () => resolve(said)).on('error', reject);
+    });
+    const post = (...headers) => `${['POST /quote HTTP/1.1', 'Host: x', ...headers].join('\r\n')}\r\n\r\n`;
+    for (const [text, status, code] of [
+      ['GARBAGE\r\n\r\n', 400, 'malformed-form'],
+      [post('Content-Length: abc'), 400, 'malformed-form'],
+      [post('Content-Length: 3', 'Transfer-Encoding: chunked'), 400, 'malformed-form'],
+      [`${post('Transfer-Encoding: chunked')}zz\r\n`, 400, 'malformed-form'],
+      [post(`X-Long: ${'x'.repeat(100_000)}`), 413, 'too-large'],
+      ['POST /quote HTTP/1.1\r\nConnection: close\r\nContent-Length: 2\r\n\r\nxx', 422, 'not-a-drawing'],
+    ]) {
+      const [head, body] = (await answer(text)).split('\r\n\r\n');
+      assert.match(head, new RegExp(`^HTTP/1\\.1 ${status} `), text.slice(0, 60));
+      const { error } = JSON.parse(body);
+      assert.deepEqual([error.code, error.retryable, error.params], [code, false, {}], text.slice(0, 60));
+    }
+    assert.equal((await send(`/quote?${SHORT}`, PLATE)).status, 200);
+  });
+
   it('ends a slow upload and a drawing that takes too long', async (t) => {
     const { url, send } = await serve(t, '--upload-seconds', '0.5', '--deadline', '3');
     const { hostname, port } = new URL(url);

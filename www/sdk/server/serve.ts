@@ -16,6 +16,7 @@ import { openapi } from './openapi.js';
 import { isUnbudgeted, JOB_KINDS, requestOptions, type JobKind } from './request-options.js';
 import type { ServerSettings } from './settings.js';
 import { CLIENT_LEFT, statusOf, told } from './status.js';
+import { answerUnreadable } from './unreadable.js';
 
 /** A running service. */
 export interface Service {
@@ -67,9 +68,10 @@ class HttpService {
     private readonly log: Log,
   ) {
     this.metrics = new Metrics({ waiting: () => backend.waiting(), running: () => this.running.size });
-    this.server = createServer({ headersTimeout: HEADERS_TIMEOUT, requestTimeout: Math.round((settings.upload + 30) * 1000), keepAliveTimeout: 5_000 }, (request, response) => {
+    this.server = createServer({ requireHostHeader: false, headersTimeout: HEADERS_TIMEOUT, requestTimeout: Math.round((settings.upload + 30) * 1000), keepAliveTimeout: 5_000 }, (request, response) => {
       void this.handle(request, response);
     });
+    answerUnreadable(this.server, log);
   }
 
   async start(): Promise<Service> {
