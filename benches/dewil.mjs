@@ -9,8 +9,9 @@
 // Seconds are those of air moves, piercings and pre-cuts, for the paper's plate and ours; cutting is left out, as there.
 // Printed values are of other sheets and another machine: only improvements over PFr compare. Every path of ours passes the
 // checker. The methods of the paper have its nodes, the ends of elements. In table 1 `tour-tree` works for as many seconds of
-// the processor as F-R takes on our entries, both begun with the same problem in hand, and no longer; where F-R is at its end after some milliseconds, both are run up to 25 times in turn, and the median counts. Beside
-// that it works for a second at least.
+// the processor as F-R takes on our entries, both begun with the same problem in hand, and no longer; where F-R is at its end
+// after some milliseconds, both are run up to 25 times in turn, and the median counts. Beside that it works for a second at
+// least.
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
@@ -20,6 +21,7 @@ import { setup } from '../scripts/setup.mjs';
 import { ROOT, run, Stop } from '../scripts/tools.mjs';
 import { mean, table } from './common/table.mjs';
 import { parallel } from './papers/parallel.mjs';
+import { OURS } from './papers/readings.mjs';
 import { native } from './papers/runs.mjs';
 import { MACHINES } from './dewil/machine.mjs';
 import { PRINTED } from './dewil/printed.mjs';
@@ -28,7 +30,6 @@ import { dxf, SHEETS } from './dewil/sheets.mjs';
 const PUBLISHED = { preset: 'as-published' };
 const tree = (name, parameters = {}) => ({ name, method: 'partition-tree', parameters: { ...PUBLISHED, ...parameters } });
 const PFR = { name: 'PFr', method: 'pfr', parameters: PUBLISHED };
-const OURS = { name: 'F-R, our entries', method: 'partition-tree', parameters: {} };
 const GTSP = { name: 'GTSP', method: 'gtsp-lk', parameters: PUBLISHED };
 // How the paths through pierce groups are found, and whether groups may be left.
 const VARIANTS = [

@@ -6,15 +6,14 @@ import { mean, rows, table } from '../common/table.mjs';
 import { MACHINE } from '../dewil/machine.mjs';
 import { PRINTED } from '../dewil/printed.mjs';
 import { SHEETS } from '../dewil/sheets.mjs';
+import { OURS } from './readings.mjs';
 import { native } from './runs.mjs';
 import { holm, wilcoxon } from './statistics.mjs';
 
 const SET = Object.fromEntries(SHEETS.map(([name, set]) => [name, set]));
 const ELEMENTS = Object.fromEntries(SHEETS.map(([name, , elements]) => [name, elements]));
-/** Among all nodes the method takes 13 s on a sheet of this number of elements, and grows with more than the third power. */
+/** Among all nodes the method takes up to 13 s on sheets of at most this number of elements, and the work grows with more than its third power. */
 const AMONG_ALL = 700;
-/** The run that `tour-tree` works as long as: on the same entries. */
-const TREE_RUN = { name: 'F-R, our entries', method: 'partition-tree', parameters: {} };
 
 /** What `partition-tree` and `gtsp-lk` report about themselves, by column: seconds without what every path costs besides, numbers, shares. */
 const REPORTED = {
@@ -32,7 +31,7 @@ export function runs({ instance, method, parameters, more, seeds }) {
   if ((more.common_cuts ?? more.whole) !== undefined && SET[instance] !== 3) return [];
   if (parameters.neighbourhood === 'all' && ELEMENTS[instance] > AMONG_ALL) return [];
   const run = { name: method, method, parameters, seeds, ...more };
-  const timed = more.as_long_as === undefined ? [] : [{ ...TREE_RUN, seeds: 0 }];
+  const timed = more.as_long_as === undefined ? [] : [{ ...OURS, seeds: 0 }];
   const args = [join(ROOT, 'benches', 'dewil', 'sheets', `${instance}.dxf`), JSON.stringify(MACHINE), JSON.stringify([run, ...timed])];
   return rows(native('dewil'), args).filter((r) => r.name === method && r.value !== null).map((r, k) => {
     const value = (name) => r.insight?.curves.find((c) => c.name === name)?.value ?? '';

@@ -33,6 +33,8 @@ const SIZES = [0.4, 2, 5, 10, 20];
 const HULL = ['rlsga', 'sga', 'hull-pso', 'ofa', 'woa'];
 const KEYED = HULL.slice(2);
 
+/** The run of Dewil et al. on the same entries as `tour-tree`, which works as long as it. */
+export const OURS = { name: 'F-R, our entries', method: 'partition-tree', parameters: {} };
 const DEWIL = ['pfr', 'gtsp-lk', 'partition-tree'];
 /** Of Dewil et al.: pierce groups that must not be left, and their paths by the paper's element insertion. */
 const GROUPS = [['whole', { whole: true }], ['insertion', { common_cuts: 'insertion' }], ['insertion, whole', { common_cuts: 'insertion', whole: true }]];
@@ -86,7 +88,7 @@ export const READINGS = {
     usual: [
       ...DEWIL.map((method) => [method, 'as-published', PUBLISHED]),
       ['partition-tree', 'PFr-I', { ...PUBLISHED, stall: 0 }],
-      ['tour-tree', 'as long as F-R', {}, { as_long_as: 'F-R, our entries' }],
+      ['tour-tree', 'as long as F-R', {}, { as_long_as: OURS.name }],
     ],
     more: [
       ['partition-tree', 'C-FR', { ...PUBLISHED, stall: 0, first: 'none' }],

@@ -25,7 +25,7 @@ export async function plan(args: string[]): Promise<void> {
     const written: Written[] = [];
     for (const output of outputs) {
       const { kind } = output;
-      const data = kind === 'report' ? reported(planner, loaded, result, outputs) : kind === 'certificate' ? certified(proof) : planner.output(kind);
+      const data = kind === 'report' ? reported(planner, loaded, result, written) : kind === 'certificate' ? certified(proof) : planner.output(kind);
       written.push({ output, data: await usable(file, data, (sentence) => refused(sentence, kind, outputs)) });
     }
     const saved = given.values['savings'] === true ? await usable(file, savingsOf(planner, options, result)) : null;
@@ -47,11 +47,12 @@ function refused(sentence: string, kind: string, outputs: readonly Output[]): st
   return isSaid ? sentence : `${sentence} Nothing was written: leave out --${kind} to have the other outputs.`;
 }
 
-/** The report of a job, with the checksum of the program that is written beside it. */
-async function reported(planner: Planner, loaded: Loaded, { progress: { summary, path }, baselines, beam, findings }: PlanResult, outputs: readonly Output[]): Promise<string> {
+/** The report of a job, with the picture and the checksum of the program that are written beside it: both come before it in `OUTPUTS`. */
+async function reported(planner: Planner, loaded: Loaded, { progress: { summary, path }, baselines, beam, findings }: PlanResult, written: readonly Written[]): Promise<string> {
   if (path === null) throw new KerfwayError('planner-died', 'The plan ended before it had a path.');
-  const program = outputs.some(({ kind }) => kind === 'gcode') ? await planner.output('gcode') : null;
-  return jobReport({ loaded, summary, baselines, path, beam, findings, program, quote: await planner.quote(), svg: await planner.output('svg') });
+  const beside = (kind: OutputKind) => written.find(({ output }) => output.kind === kind)?.data as string | undefined;
+  const [program, svg] = [beside('gcode') ?? null, beside('svg') ?? (await planner.output('svg'))];
+  return jobReport({ loaded, summary, baselines, path, beam, findings, program, quote: await planner.quote(), svg });
 }
 
 /** The certificate of the bound. */

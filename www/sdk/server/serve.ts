@@ -16,7 +16,7 @@ import { openapi } from './openapi.js';
 import { isUnbudgeted, JOB_KINDS, requestOptions, type JobKind } from './request-options.js';
 import type { ServerSettings } from './settings.js';
 import { CLIENT_LEFT, statusOf, told } from './status.js';
-import { answerUnreadable } from './unreadable.js';
+import { answerUnreadable, DROPPED } from './unreadable.js';
 
 /** A running service. */
 export interface Service {
@@ -212,9 +212,8 @@ class HttpService {
     response.end(request.method === 'HEAD' ? undefined : bytes);
     this.endUnread(request, response, bytes.length);
     if (unread) {
-      // The client may still be sending: what arrives for a moment is dropped, so that it sees the answer and not a reset.
       request.resume();
-      setTimeout(() => request.destroy(), 500).unref();
+      setTimeout(() => request.destroy(), DROPPED).unref();
     }
   }
 

@@ -6,6 +6,9 @@ import { KerfwayError } from '../errors.js';
 import type { Log } from './log.js';
 import { statusOf } from './status.js';
 
+/** Milliseconds for which what a refused client still sends is dropped, so that it sees the answer and not a reset. */
+export const DROPPED = 500;
+
 /** What the server does with connections on which no request, or half of one, can be read. */
 export function answerUnreadable(server: Server, log: Log): void {
   const answers = new WeakMap<Duplex, ServerResponse>();
@@ -22,10 +25,9 @@ export function answerUnreadable(server: Server, log: Log): void {
     log('info', 'unreadable', { status, code: reason.code, cause: error.code });
     const body = JSON.stringify({ error: reason });
     const head = [`HTTP/1.1 ${status} ${STATUS_CODES[status]}`, 'connection: close', 'content-type: application/json; charset=utf-8', `content-length: ${Buffer.byteLength(body)}`];
-    // The client may be sending still: what arrives for a moment is dropped, so that it sees the answer and not a reset.
     socket.on('data', () => {});
     socket.end(`${head.join('\r\n')}\r\n\r\n${body}`);
-    setTimeout(() => socket.destroy(), 500).unref();
+    setTimeout(() => socket.destroy(), DROPPED).unref();
   });
 }
 
