@@ -91,8 +91,8 @@ impl SheetFacts {
 
 /// The contour of which this is a pass, the number of the pass, and of all passes; `None` where there is one.
 fn pass_of(sheet: &Sheet, id: u32) -> Option<[u32; 3]> {
-    let by_id = |id: &u32| sheet.contours.get(*id as usize);
-    let last = std::iter::successors(Some(id), |id| by_id(id)?.next_pass).last()?;
-    let [pass, passes] = [by_id(&id)?.pass, by_id(&last)?.pass].map(|n| n + 1);
+    let number = |id: u32| sheet.contours.get(id as usize).map(|c| c.pass + 1);
+    let last = sheet.last_pass(id);
+    let (pass, passes) = (number(id)?, number(last)?);
     (passes > 1).then_some([last, pass, passes])
 }

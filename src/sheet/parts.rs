@@ -69,7 +69,7 @@ impl Sheet {
     }
 
     /// The last pass over a contour that is worked in several passes, sheet by sheet; otherwise the contour itself.
-    fn last_pass(&self, contour: u32) -> u32 {
+    pub(crate) fn last_pass(&self, contour: u32) -> u32 {
         let next = |&c: &u32| self.contours.get(c as usize)?.next_pass;
         successors(Some(contour), next).last().unwrap_or(contour)
     }

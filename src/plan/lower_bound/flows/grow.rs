@@ -3,15 +3,13 @@
 use super::super::halving;
 use super::super::net::Item;
 use super::super::pairs::Pairs;
-use super::super::rounds::nearest_ng_sets;
+use super::super::rounds::{extend_ng_set, nearest_ng_sets};
 use super::before::Before;
 use super::net::{MOST_LEGS, Net};
 use super::{FlowBound, Task};
 use crate::order::{real, sort_by};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Largest ng-set of an item: its states may double with each member.
-const LARGEST_NG_SET: usize = 16;
 /// States that a round adds, about, as a share of those there are: after the first of them other circles are best.
 const ADDED: f64 = 0.3;
 /// Far pairs that are used more often than this get tables.
@@ -147,9 +145,7 @@ impl FlowBound {
             let last = walk.len() - 1;
             for &between in &walk[1..last] {
                 for fault in [walk[0], walk[last]] {
-                    let ng_set = &mut self.ground.ng_sets[between];
-                    if ng_set.len() < LARGEST_NG_SET && between != fault && !ng_set.contains(&fault) {
-                        ng_set.push(fault);
+                    if extend_ng_set(&mut self.ground.ng_sets, between, fault) {
                         left -= states[between] as f64;
                         added = true;
                     }

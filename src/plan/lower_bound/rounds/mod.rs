@@ -31,7 +31,7 @@ use enumerations::{ENUMERATES_ORDERS, Enumerations};
 use excess::seconds;
 #[cfg(feature = "research")]
 use known::Known;
-pub(super) use ng_sets::nearest_ng_sets;
+pub(super) use ng_sets::{extend_ng_set, nearest_ng_sets};
 #[cfg(feature = "research")]
 pub(super) use {excess::legs, record::Record};
 

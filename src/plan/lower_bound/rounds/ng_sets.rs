@@ -1,4 +1,4 @@
-//! The first ng-set of each item: the items that walks remember before any round has extended it.
+//! The ng-set of each item: the items that walks remember there. It begins with the nearest, and rounds extend it.
 
 use super::super::net::Item;
 use super::super::pairs::Pairs;
@@ -6,6 +6,8 @@ use crate::order::{real, sort_by};
 
 /// Nearest items in the first ng-set of each item: with fewer, the first rounds would only find these.
 const FIRST_SIZE: usize = 4;
+/// Largest ng-set of an item: its states may double with each member.
+const LARGEST: usize = 16;
 
 /// The [`FIRST_SIZE`] nearest items of each item.
 pub(in super::super) fn nearest_ng_sets(items: &[Item], first: usize, pairs: &Pairs) -> Vec<Vec<usize>> {
@@ -20,4 +22,14 @@ pub(in super::super) fn nearest_ng_sets(items: &[Item], first: usize, pairs: &Pa
         list.extend(near.iter().take(FIRST_SIZE).map(|n| n.0));
     }
     ng_sets
+}
+
+/// Adds an item to the ng-set of another one, if there is room. Returns whether it is new there.
+pub(in super::super) fn extend_ng_set(ng_sets: &mut [Vec<usize>], of: usize, by: usize) -> bool {
+    let Some(list) = ng_sets.get_mut(of) else { return false };
+    let is_new = list.len() < LARGEST && of != by && !list.contains(&by);
+    if is_new {
+        list.push(by);
+    }
+    is_new
 }

@@ -2,12 +2,10 @@
 
 use super::super::net::{Item, Piece};
 use super::super::walks::{Ground, Visit};
-use super::Strong;
 use super::excess::legs;
+use super::{Strong, extend_ng_set};
 use crate::order::sort_by;
 
-/// Largest ng-set of an item: its states may double with each member.
-const LARGEST_NG_SET: usize = 16;
 /// Most stops of a cycle or precedence fault that is removed: every item on it must remember more.
 const LONGEST: usize = 12;
 /// Members that a round adds to ng-sets, as a share of the number of items: each may double the states of an item, and after the first of them other
@@ -39,9 +37,7 @@ impl Strong {
             let (walk, last) = (&self.walks[w].1, i + 1 + length);
             for between in &walk[i + 1..last] {
                 for fault in [walk[i].item, walk[last].item] {
-                    let ng_set = &mut self.ground.ng_sets[between.item];
-                    if ng_set.len() < LARGEST_NG_SET && between.item != fault && !ng_set.contains(&fault) {
-                        ng_set.push(fault);
+                    if extend_ng_set(&mut self.ground.ng_sets, between.item, fault) {
                         added += 1;
                     }
                 }

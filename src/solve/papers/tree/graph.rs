@@ -24,25 +24,12 @@ pub enum Neighbourhood {
     All,
 }
 
-/// How far moves and connections are searched.
-#[derive(Clone, Copy)]
-pub(super) struct Limits {
-    /// Number of near nodes of a node.
-    near: usize,
-    /// Largest number of near nodes of the same contour. The same number of nodes where a pierce group is left come in
-    /// addition.
-    same: usize,
-    /// Number of near nodes of each node of a merged partition that are tried as its parent.
-    pub(super) parents: usize,
-    /// Largest number of contours in a sub-sequence.
-    pub(super) longest: usize,
-}
-
-/// With two nodes per contour, 12 cover the nearest six contours or more, which contain all but a few edges of good planar
-/// tours. Of the two, one may be the entry, to which nothing can be attached. Sub-sequences of more than 50 contours save
-/// next to nothing on large sheets, and the work grows with their length.
-const NEAR: Limits = Limits { near: 12, same: 2, parents: 4, longest: 50 };
-const NONE: Limits = Limits { near: usize::MAX, same: usize::MAX, parents: usize::MAX, longest: usize::MAX };
+/// Number of near nodes of a node. With two per contour these cover the nearest six contours or more, which contain all but
+/// a few edges of good planar tours.
+const NEAR: usize = 12;
+/// Largest number of near nodes of the same contour. One may be its entry, to which nothing can be attached. The same number
+/// of nodes where a pierce group is left come in addition.
+const SAME: usize = 2;
 
 /// A node at which a pierce group may be left.
 struct LeaveNode<'p> {
@@ -56,7 +43,7 @@ struct LeaveNode<'p> {
 pub(super) struct Graph<'p> {
     pub(super) problem: &'p Problem,
     air: AirTime,
-    pub(super) limits: Limits,
+    neighbourhood: Neighbourhood,
     /// Near nodes by node, filled contour by contour.
     near: Vec<Vec<NodeId>>,
     buckets: Buckets,
@@ -94,11 +81,17 @@ impl<'p> Graph<'p> {
             (0..).zip(&inner).filter(|(_, list)| !list.is_empty()).map(|(id, _)| id).collect();
         crate::order::sort_by(&mut inwards, |&i| [u64::MAX - depth(i), 0, 0]);
         let air = AirTime::new(&problem.machine);
-        let limits = match neighbourhood {
-            Neighbourhood::Near => NEAR,
-            Neighbourhood::All => NONE,
-        };
-        Self { problem, air, limits, near: Vec::new(), buckets, inner, inwards, leave_nodes, leave_ranges }
+        Self {
+            problem,
+            air,
+            neighbourhood,
+            near: Vec::new(),
+            buckets,
+            inner,
+            inwards,
+            leave_nodes,
+            leave_ranges,
+        }
     }
 
     /// Whether the paper's model covers a problem: precedence comes from nesting only.
@@ -107,6 +100,14 @@ impl<'p> Graph<'p> {
             && problem.pairs.is_empty()
             && problem.groups.is_empty()
             && problem.items.iter().all(|i| i.rank == problem.items[0].rank)
+    }
+
+    /// How many of something a move takes into account: a few, or all.
+    pub(super) fn at_most(&self, few: usize) -> usize {
+        match self.neighbourhood {
+            Neighbourhood::Near => few,
+            Neighbourhood::All => usize::MAX,
+        }
     }
 
     /// The point where the head arrives.
@@ -203,13 +204,16 @@ impl<'p> Graph<'p> {
             // A contour that is left at another point than it is entered (an open one) has neighbours at both.
             let places = [node.exit, node.entry];
             let places = &places[..1 + usize::from(node.exit != node.entry)];
-            if self.limits.near == usize::MAX {
-                found.extend(self.others(first, places));
-                priced += found.len() as u64;
-                crate::order::sort_by(&mut found, |f| [real(f.0), f.1.into(), 0]);
-            } else {
-                for &place in places {
-                    priced += self.find_near(&mut found, first, place);
+            match self.neighbourhood {
+                Neighbourhood::Near => {
+                    for &place in places {
+                        priced += self.find_near(&mut found, first, place);
+                    }
+                }
+                Neighbourhood::All => {
+                    found.extend(self.others(first, places));
+                    priced += found.len() as u64;
+                    crate::order::sort_by(&mut found, |f| [real(f.0), f.1.into(), 0]);
                 }
             }
             self.near.push(found.into_iter().map(|f| f.1).collect());
@@ -231,7 +235,7 @@ impl<'p> Graph<'p> {
         let mut priced = 0;
         for r in 0..self.buckets.rings(place) {
             let least = self.air.seconds_at_least(self.buckets.distance_of_ring(r));
-            if found.get(self.limits.near - 1).is_some_and(|f| f.0 <= least) {
+            if found.get(NEAR - 1).is_some_and(|f| f.0 <= least) {
                 break;
             }
             for other in self.buckets.ring(place, r).filter(|&other| self.item(other) != own) {
@@ -244,7 +248,7 @@ impl<'p> Graph<'p> {
 
     /// Inserts a node into the sorted list, which holds a few nodes of each contour.
     fn keep(&self, found: &mut Vec<(f64, NodeId)>, new: (f64, NodeId)) {
-        if found.get(self.limits.near - 1).is_some_and(|last| *last <= new) {
+        if found.get(NEAR - 1).is_some_and(|last| *last <= new) {
             return;
         }
         match found.iter().position(|f| f.1 == new.1) {
@@ -255,7 +259,7 @@ impl<'p> Graph<'p> {
         let kind = |node: NodeId| (self.item(node), self.leave_node(node).is_some());
         let own = kind(new.1);
         let mut same = (0..found.len()).filter(|&k| kind(found[k].1) == own);
-        if let Some(last) = same.nth(self.limits.same - 1) {
+        if let Some(last) = same.nth(SAME - 1) {
             if found[last] <= new {
                 return;
             }
@@ -263,7 +267,7 @@ impl<'p> Graph<'p> {
         }
         let place = found.partition_point(|f| *f < new);
         found.insert(place, new);
-        found.truncate(self.limits.near);
+        found.truncate(NEAR);
     }
 }
 

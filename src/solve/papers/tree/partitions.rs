@@ -8,6 +8,9 @@ use super::moves::{GainfulMoves, TreeMove};
 use crate::problem::{ItemId, NodeId};
 use crate::solve::epsilon::EPSILON;
 
+/// Number of near nodes of each node of a merged partition that are tried as its parent.
+const NEAR: usize = 4;
+
 /// Moves of the partition of a contour. Where the partition is attached elsewhere, the contour becomes its first or its
 /// last.
 pub(super) fn look(g: &Graph, forest: &Forest, item: ItemId, found: &mut GainfulMoves) {
@@ -89,7 +92,7 @@ fn merge(g: &Graph, forest: &Forest, items: &[ItemId], found: &mut GainfulMoves)
     let mut places: Vec<NodeId> = items
         .iter()
         .flat_map(|&i| g.nodes(i))
-        .flat_map(|n| g.near(n).iter().take(g.limits.parents).copied())
+        .flat_map(|n| g.near(n).iter().take(g.at_most(NEAR)).copied())
         .filter(|&to| forest.is_free(g, to) && !forest.hangs_from(g, g.item(to), route, &(0..1)))
         .chain(forest.at(route))
         .collect();

@@ -10,6 +10,10 @@ use crate::solve::epsilon::EPSILON;
 use glam::DVec2;
 use std::ops::Range;
 
+/// Largest number of contours in a sub-sequence. Longer ones save next to nothing on large sheets, and the work grows with
+/// their length.
+const LONGEST: usize = 50;
+
 /// Contours of a route that may move, and the seconds saved by removing them.
 struct Piece {
     route: u32,
@@ -25,7 +29,7 @@ struct Piece {
 pub(super) fn look(g: &Graph, forest: &Forest, item: ItemId, found: &mut GainfulMoves) {
     let (route, pos) = (forest.route_of(item), forest.pos(item));
     let count = forest.items(route).len();
-    let longest = g.limits.longest;
+    let longest = g.at_most(LONGEST);
     for end in pos + 1..=count.min(pos.saturating_add(longest)) {
         offer(g, forest, &piece(g, forest, route, pos..end), forest.entry(item), found);
     }
