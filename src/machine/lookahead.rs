@@ -67,7 +67,9 @@ impl ElementLimits {
     pub(super) fn new(profile: &Profile, speed: f64, accel: f64, element: &Segment) -> Self {
         let top2 = match element {
             Segment::Line(_) => speed * speed,
-            Segment::Arc(a) => arc_speed2(profile.junction_deviation, accel, speed * speed, a.radius()),
+            Segment::Arc(a) => {
+                arc_speed2(profile.junction_deviation, accel, speed * speed, a.radius(), a.sweep)
+            }
         };
         Self { length: element.length(), top2, enters: element.tangent(0.0), leaves: element.tangent(1.0) }
     }

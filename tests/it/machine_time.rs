@@ -81,6 +81,35 @@ fn paths_of_lines_and_arcs_take_as_long_as_their_chords_do() {
     }
 }
 
+/// With the kerf, an outline with jogs of a few micrometres has arcs of half a kerf of which GRBL makes one chord each. They counted as
+/// slow as long arcs, and the program was refused because it took less time than planned.
+#[test]
+fn arcs_of_less_than_two_chords_take_as_long_as_lines() {
+    let machines = MACHINES.into_iter().filter(|m| m.2 >= 0.005);
+    for (speed, accel, deviation, _) in machines {
+        for sweep in [0.05, 0.15, 0.3, 0.39, 0.7] {
+            // Lines of 3 mm with jogs between them: an arc to the left, and one to the right.
+            let mut path = vec![Segment::line(DVec2::ZERO, DVec2::X * 3.0)];
+            for _ in 0..20 {
+                for turn in [sweep, -sweep] {
+                    let from = path.last().map_or(DVec2::ZERO, Segment::end);
+                    let at = if turn > 0.0 { -FRAC_PI_2 } else { FRAC_PI_2 + sweep };
+                    let center = from - DVec2::from_angle(at) * 0.1;
+                    path.push(Segment::Arc(Arc::from_angles(center, 0.1, at, turn)));
+                }
+                let from = path.last().map_or(DVec2::ZERO, Segment::end);
+                path.push(Segment::line(from, from + DVec2::X * 3.0));
+            }
+            let (ours, grbl) = both(&path, (speed, accel, deviation));
+            let off = ours / grbl - 1.0;
+            assert!(
+                off.abs() <= 0.01,
+                "{ours} s, GRBL {grbl} s: sweep {sweep}, {speed} mm/s, {deviation} mm"
+            );
+        }
+    }
+}
+
 /// Every drawing that can be planned, on a machine: name, seconds in all, of its cuts, and of the cuts in the simulation.
 fn drawings(machine: &str) -> Vec<(String, f64, f64, f64)> {
     let profile = preset(machine).unwrap();
