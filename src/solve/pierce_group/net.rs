@@ -79,7 +79,10 @@ impl<'s> Net<'s> {
             around,
             sides,
         };
-        net.gains = net.steps().map(|step| net.gains_after(step)).collect();
+        let mut leaving: Vec<Vec<Step>> = vec![Vec::new(); group.nodes.len()];
+        net.steps().for_each(|step| leaving[net.step(step)[0] as usize].push(step));
+        net.gains =
+            net.steps().map(|step| net.gains_after(step, &leaving[net.step(step)[1] as usize])).collect();
         let most = |e: usize| {
             [2 * e, 2 * e + 1].iter().flat_map(|&s| &net.gains[s]).fold(0.0_f64, |m, g| m.max(g.1))
         };
@@ -111,11 +114,11 @@ impl<'s> Net<'s> {
         self.bridged.len() == other.bridged.len() && self.bridged.iter().zip(&other.bridged).all(near)
     }
 
-    fn gains_after(&self, step: Step) -> Vec<(Step, f64)> {
+    /// What may follow a step, of those that begin where it ends, and [`Net::gain`] of that.
+    fn gains_after(&self, step: Step, leaving: &[Step]) -> Vec<(Step, f64)> {
         let seconds = |path: &[Segment]| process_time(self.machine, &self.machine.cut, false, path);
         let own = self.travelled(step);
-        let from = self.step(step)[1];
-        let next = self.steps().filter(|&s| s / 2 != step / 2 && self.step(s)[0] == from);
+        let next = leaving.iter().copied().filter(|&s| s / 2 != step / 2);
         let gain = |s: Step| {
             let (other, both) = (self.travelled(s), [own.clone(), self.travelled(s)].concat());
             seconds(&own) + seconds(&other) - seconds(&both)

@@ -25,6 +25,9 @@ use std::rc::Rc;
 
 /// Width of the beam: a smaller one gives slower paths, a larger one takes longer and gains nothing.
 const WIDTH: usize = 16;
+/// Elements of a group up to which the beam has its width: a search looks at all elements of as many states as there are
+/// elements, 12 s for the six ends of this many. In larger groups it is narrower with the square of their number.
+const FULL_WIDTH: usize = 40_000;
 /// Most elements of a group that is put back element by element. In larger groups runs are put back, and future trails are
 /// charged an average air move.
 const FEW: usize = 24;
@@ -33,10 +36,15 @@ const WIDTH_OF_FEW: usize = 64;
 /// Candidates are reduced to the width of the beam when there are this many times more: it bounds the memory.
 const ROOM: usize = 8;
 
-/// A candidate for the next step.
+/// A candidate for the next state: what is put back after another one.
 struct Next {
-    score: f64,
     before: Rc<State>,
+    way: Way,
+}
+
+/// What may be put back after a state.
+struct Way {
+    score: f64,
     step: Step,
     /// The step does not end where the state is: there is an air move between them.
     jumps: bool,
@@ -76,21 +84,21 @@ impl<'n> Search<'n> {
     /// Orders that end at one of some nodes, each from another node, the cheapest first.
     pub(super) fn orders(&self, to: &[u32]) -> Vec<Order> {
         let len = self.net.len();
-        let width = if self.is_small { WIDTH_OF_FEW * to.len() } else { WIDTH };
+        let width = if self.is_small { WIDTH_OF_FEW * to.len() } else { width_for(len) };
         let mut made = Made::new();
         // Candidates by the number of elements put back.
         let mut next: Vec<Vec<Next>> = std::iter::repeat_with(Vec::new).take(len + 1).collect();
         let mut states: Vec<State> = to.iter().map(|&n| State::new(self.net, n)).collect();
         for count in 0..=len {
             for n in best(std::mem::take(&mut next[count]), width) {
-                let mut state = State::clone(&n.before);
+                let (mut state, way) = (Rc::unwrap_or_clone(n.before), n.way);
                 let mut put = |state: &mut State, step, jumps| {
                     state.put_back(self.net, &self.places, step, jumps);
                     made.push((step, state.at.made));
                     state.at.made = made.len() - 1;
                 };
-                put(&mut state, n.step, n.jumps);
-                while let Some(step) = self.goes_on(&state).filter(|_| n.runs) {
+                put(&mut state, way.step, way.jumps);
+                while let Some(step) = self.goes_on(&state).filter(|_| way.runs) {
                     put(&mut state, step, false);
                 }
                 states.push(state);
@@ -104,20 +112,17 @@ impl<'n> Search<'n> {
 
     /// Adds all candidates after a state, with the elements straight on and without them.
     fn look_further(&self, mut state: State, width: usize, next: &mut [Vec<Next>]) {
-        let before = Rc::new(state.clone());
+        let (mut steps, mut ways): (Vec<(Step, bool)>, Vec<(usize, Way)>) = (Vec::new(), Vec::new());
+        self.places.steps(self.net, &state, |step, jumps| steps.push((step, jumps)));
         let (at, mut undo): (_, Vec<Undo>) = (state.at, Vec::new());
-        self.places.steps(self.net, &before, |step, jumps| {
+        for (step, jumps) in steps {
             undo.push(state.put_back(self.net, &self.places, step, jumps));
             let mut runs = false;
             loop {
                 let on = self.goes_on(&state);
                 if !runs || on.is_none() {
                     let (score, key) = (self.score(&state), state.key());
-                    let ways = &mut next[undo.len()];
-                    ways.push(Next { score, before: Rc::clone(&before), step, jumps, runs, key });
-                    if ways.len() > ROOM * width {
-                        *ways = best(std::mem::take(ways), width);
-                    }
+                    ways.push((undo.len(), Way { score, step, jumps, runs, key }));
                 }
                 let Some(step) = on else { break };
                 undo.push(state.put_back(self.net, &self.places, step, false));
@@ -125,7 +130,15 @@ impl<'n> Search<'n> {
             }
             undo.drain(..).rev().for_each(|u| state.take_away(self.net, u));
             state.at = at;
-        });
+        }
+        let before = Rc::new(state);
+        for (count, way) in ways {
+            let found = &mut next[count];
+            found.push(Next { before: Rc::clone(&before), way });
+            if found.len() > ROOM * width {
+                *found = best(std::mem::take(found), width);
+            }
+        }
     }
 
     /// The element straight on, if an odd number of elements is left here and it is one of them.
@@ -163,11 +176,16 @@ impl<'n> Search<'n> {
     }
 }
 
+/// The width of the beam for a larger group of this many elements.
+fn width_for(len: usize) -> usize {
+    if len <= FULL_WIDTH { WIDTH } else { (WIDTH * FULL_WIDTH / len * FULL_WIDTH / len).max(1) }
+}
+
 /// The best candidates, of which each has another set of elements or another end.
 fn best(mut next: Vec<Next>, width: usize) -> Vec<Next> {
-    sort_by(&mut next, |n| [real(n.score), n.before.at.made as u64, n.step.into()]);
+    sort_by(&mut next, |n| [real(n.way.score), n.before.at.made as u64, n.way.step.into()]);
     let mut seen = FxHashSet::default();
-    next.retain(|n| seen.insert(n.key));
+    next.retain(|n| seen.insert(n.way.key));
     next.truncate(width);
     next
 }

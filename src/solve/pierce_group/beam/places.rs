@@ -1,6 +1,7 @@
 //! What is at each node of a group: elements, areas, near nodes.
 
 use super::super::net::{Net, Step};
+use crate::geometry::{Aabb, Buckets};
 use crate::order::{real, sort_by};
 
 /// Nearest nodes of each node that are looked through first: all of 2,000 would take 16 MB.
@@ -33,7 +34,9 @@ impl Places {
             }
         }
         let straight = net.steps().map(|step| straight_to(net, &arriving, step)).collect();
-        let near = net.nodes().map(|n| nearest(net, n)).collect();
+        let mut grid = Buckets::new(net.nodes().fold(Aabb::EMPTY, |b, n| b.with(net.place(n))), nodes);
+        net.nodes().for_each(|n| grid.insert(n, net.place(n)));
+        let near = net.nodes().map(|n| nearest(net, &grid, n)).collect();
         Self { arriving, areas, near, straight }
     }
 
@@ -59,10 +62,17 @@ fn straight_to(net: &Net, arriving: &[Vec<Step>], step: Step) -> Option<Step> {
         .map(|a| a.1)
 }
 
-/// The nodes nearest to one in seconds.
-fn nearest(net: &Net, node: u32) -> Vec<u32> {
-    let mut others: Vec<(f64, u32)> =
-        net.nodes().filter(|&n| n != node).map(|n| (net.way(n, node), n)).collect();
+/// The nodes nearest to one in seconds. Where other contours bridge ways, the net is so small that all nodes are among them.
+fn nearest(net: &Net, grid: &Buckets, node: u32) -> Vec<u32> {
+    let place = net.place(node);
+    let mut others: Vec<(f64, u32)> = Vec::new();
+    for ring in 0..grid.rings(place) {
+        let least = net.air.seconds_at_least(grid.distance_of_ring(ring));
+        if others.len() >= NEAREST && others.iter().filter(|o| o.0 < least).count() >= NEAREST {
+            break;
+        }
+        others.extend(grid.ring(place, ring).filter(|&n| n != node).map(|n| (net.way(n, node), n)));
+    }
     sort_by(&mut others, |o| [real(o.0), o.1.into(), 0]);
     others.truncate(NEAREST);
     others.into_iter().map(|o| o.1).collect()
