@@ -1,20 +1,33 @@
-//! Findings on common cuts: what is saved by cutting a pierce group as one.
+//! Findings on common cuts: what is saved by cutting a pierce group as one, and which are too large for the heuristic of a paper.
 
 use crate::finding::{Code, Finding, Severity};
 use crate::number::fixed;
 use crate::problem::{Item, Problem};
-use crate::sheet::{PierceGroup, Sheet};
+use crate::sheet::{CommonCuts, PierceGroup, Sheet};
+use crate::solve::pierce_group::MOST_BY_INSERTION;
 
-/// One finding for each pierce group that is cut as one.
+/// One finding for each pierce group that is cut as one, and one for each that the insertion heuristic is not used for.
 pub(super) fn findings(sheet: &Sheet, problem: &Problem) -> Vec<Finding> {
     let joined = |g: &&PierceGroup| {
         let first = g.contours.first().and_then(|&c| problem.items.get(c as usize));
         first.is_some_and(Item::is_pierce_group)
     };
-    sheet.pierce_groups().iter().filter(joined).map(finding).collect()
+    let groups = || sheet.pierce_groups().iter().filter(joined);
+    let is_too_large =
+        |g: &&PierceGroup| sheet.common_cuts == CommonCuts::Insertion && g.elements.len() > MOST_BY_INSERTION;
+    groups().map(saved).chain(groups().filter(is_too_large).map(too_large)).collect()
 }
 
-fn finding(group: &PierceGroup) -> Finding {
+fn too_large(group: &PierceGroup) -> Finding {
+    let message = format!(
+        "The insertion heuristic takes at most {MOST_BY_INSERTION} cuts between the corners of contours that share cuts, and these have {}: their path is the best that the search finds.",
+        group.elements.len()
+    );
+    let finding = Finding::new(Code::CommonCut, Severity::Warning, message);
+    finding.at(group.nodes.first().copied().unwrap_or_default())
+}
+
+fn saved(group: &PierceGroup) -> Finding {
     let shared: f64 = group.between_parts().map(|e| group.path(e).length()).sum();
     let contours = group.contours.len();
     let message = format!(

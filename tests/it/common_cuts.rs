@@ -96,6 +96,17 @@ fn the_insertion_heuristic_gives_a_path_and_the_best_is_no_worse() {
 }
 
 #[test]
+fn a_group_of_hundreds_of_parts_hung_with_the_insertion_heuristic_and_the_best_path_is_taken_instead() {
+    // 24 x 23 and 25 x 22 sides, of which the two at each of the four corners are one cut.
+    let job = job(&grid(24, 22), CommonCuts::Insertion, None);
+    let told = "The insertion heuristic takes at most 1000 cuts between the corners of contours that share cuts, and these have 1098: \
+                their path is the best that the search finds.";
+    let findings = &job.run().unwrap().findings;
+    assert_eq!(findings.iter().filter(|f| f.message == told).count(), 1, "{findings:?}");
+    assert_eq!(job.plan().unwrap().summary.parts, 24 * 22);
+}
+
+#[test]
 fn moved_turned_mirrored_and_reordered_drawings_have_the_same_nets() {
     let net = |outlines: &[Vec<DVec2>]| {
         let sheet = planned(outlines, CommonCuts::Best).0;

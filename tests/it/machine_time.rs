@@ -6,7 +6,7 @@ use crate::testkit::outlines::drawing;
 use crate::testkit::paths::Element;
 use crate::testkit::{files, fixtures, name};
 use glam::DVec2;
-use kerfway::geometry::{Arc, Segment};
+use kerfway::geometry::{Arc, Segment, math};
 use kerfway::job::{Job, LoadOptions, MachineChoice, OutputKind, PlanOptions};
 use kerfway::machine::{Process, Profile, cut_time, preset};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -94,7 +94,7 @@ fn arcs_of_less_than_two_chords_take_as_long_as_lines() {
                 for turn in [sweep, -sweep] {
                     let from = path.last().map_or(DVec2::ZERO, Segment::end);
                     let at = if turn > 0.0 { -FRAC_PI_2 } else { FRAC_PI_2 + sweep };
-                    let center = from - DVec2::from_angle(at) * 0.1;
+                    let center = from - math::unit(at) * 0.1;
                     path.push(Segment::Arc(Arc::from_angles(center, 0.1, at, turn)));
                 }
                 let from = path.last().map_or(DVec2::ZERO, Segment::end);

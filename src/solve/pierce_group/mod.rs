@@ -24,6 +24,7 @@ mod strokes;
 use crate::geometry::DVec2;
 use crate::order::{real, sort_by};
 use crate::problem::{GroupMethod, GroupProblems, Stroke, SubPath};
+pub use insertion::MOST as MOST_BY_INSERTION;
 use net::{Net, Order};
 
 /// Most pairs of ends of a larger group: with the paths back, as many nodes as neighbour lists look at.
@@ -45,7 +46,7 @@ pub fn paths(problems: &GroupProblems) -> Vec<Vec<SubPath>> {
     let mut bridged = Bridged::default();
     let through = |group| {
         let net = Net::new(group, problems.machine, problems.is_all);
-        if problems.method == GroupMethod::Insertion {
+        if problems.method == GroupMethod::Insertion && net.len() <= MOST_BY_INSERTION {
             let by_insertion = inserted(&net);
             if !by_insertion.is_empty() {
                 return by_insertion;

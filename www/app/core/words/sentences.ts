@@ -102,6 +102,7 @@ export const SENTENCES = {
   emptySvg: 'The SVG holds nothing to cut. Check that the outlines were exported.',
   endsEarly: 'The file ends without its end mark: it may not have been copied whole. Check that nothing is missing.',
   endsInside: 'The file ends in the middle: it was probably not copied whole. What comes after is missing.',
+  tooLargeForInsertion: 'The insertion heuristic takes at most {} cuts between the corners of contours that share cuts, and these have {}: their path is the best that the search finds.',
   asOne: '{} contours share cuts and are cut as one, with 1 piercing instead of {}: {} m are cut once instead of twice.',
   oneKerf: 'Parts one kerf apart: {} mm between them are cut once instead of twice.',
   narrowerThanKerf: 'This contour is narrower here than the kerf of {} mm: it keeps its drawn line, which is off by half a kerf. Widen it, or cut it with a finer beam.',

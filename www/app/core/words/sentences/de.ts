@@ -96,6 +96,7 @@ export const sentences: Sentences = {
   emptySvg: 'In der SVG-Datei ist nichts zu schneiden. Prüfen Sie, ob die Umrisse exportiert wurden.',
   endsEarly: 'Die Datei endet ohne ihre Endmarke: Vielleicht wurde sie nicht ganz kopiert. Prüfen Sie, ob etwas fehlt.',
   endsInside: 'Die Datei endet mittendrin: Wahrscheinlich wurde sie nicht ganz kopiert. Was danach kommt, fehlt.',
+  tooLargeForInsertion: 'Die Einfügeheuristik nimmt höchstens {0} Schnitte zwischen den Ecken von Konturen, die sich Schnitte teilen; diese haben {1}: Ihr Weg ist der beste, den die Suche findet.',
   asOne: '{0} Konturen teilen sich Schnitte und werden als eine geschnitten, mit 1 Einstich statt {1}: {2} m einmal statt zweimal.',
   oneKerf: 'Teile im Abstand einer Schnittfuge: {0} mm zwischen ihnen werden einmal statt zweimal geschnitten.',
   narrowerThanKerf: 'Diese Kontur ist hier schmaler als die Schnittfuge von {0} mm: Sie behält ihre gezeichnete Linie, die um eine halbe Fuge abweicht. Verbreitern Sie sie oder schneiden Sie mit feinerem Strahl.',

@@ -96,6 +96,7 @@ export const sentences: Sentences = {
   emptySvg: 'En el SVG no hay nada que cortar. Compruebe que se exportaron los contornos.',
   endsEarly: 'El archivo termina sin su marca de fin: quizá no se copió entero. Compruebe que no falte nada.',
   endsInside: 'El archivo termina a la mitad: probablemente no se copió entero. Falta lo que sigue.',
+  tooLargeForInsertion: 'La heurística de inserción admite como máximo {0} cortes entre las esquinas de contornos que comparten cortes, y estos tienen {1}: su recorrido es el mejor que encuentra la búsqueda.',
   asOne: '{0} contornos comparten cortes y se cortan como uno, con 1 perforación en lugar de {1}: {2} m se cortan una vez en lugar de dos.',
   oneKerf: 'Piezas a un ancho de corte: {0} mm entre ellas se cortan una vez en lugar de dos.',
   narrowerThanKerf: 'Este contorno es aquí más estrecho que el ancho de corte de {0} mm: conserva su línea dibujada, que se desvía medio ancho. Ensánchelo o córtelo con un haz más fino.',
