@@ -27,6 +27,17 @@ async function refused(response, status, code) {
   return error;
 }
 
+/** Everything that a service answers to these bytes, until it closes the connection. */
+const answer = (url, text) => new Promise((resolve, reject) => {
+  const { hostname, port } = new URL(url);
+  let said = '';
+  const socket = connect(Number(port), hostname, () => socket.write(text));
+  socket.on('data', (data) => (said += data)).on('close', () => resolve(said)).on('error', reject);
+});
+
+/** The head of a request to quote. */
+const post = (...headers) => `${['POST /quote HTTP/1.1', 'Host: x', ...headers].join('\r\n')}\r\n\r\n`;
+
 describe('the service', () => {
   /** One with the usual settings. */
   const usual = shared(serve);
@@ -272,13 +283,6 @@ describe('the service', () => {
 
   it('answered what is no request without a body, although each error has one', async (t) => {
     const { url, send } = await serve(t);
-    const { hostname, port } = new URL(url);
-    const answer = (text) => new Promise((resolve, reject) => {
-      let said = '';
-      const socket = connect(Number(port), hostname, () => socket.write(text));
-      socket.on('data', (data) => (said += data)).on('close', () => resolve(said)).on('error', reject);
-    });
-    const post = (...headers) => `${['POST /quote HTTP/1.1', 'Host: x', ...headers].join('\r\n')}\r\n\r\n`;
     for (const [text, status, code] of [
       ['GARBAGE\r\n\r\n', 400, 'malformed-form'],
       [post('Content-Length: abc'), 400, 'malformed-form'],
@@ -287,12 +291,35 @@ describe('the service', () => {
       [post(`X-Long: ${'x'.repeat(100_000)}`), 413, 'too-large'],
       ['POST /quote HTTP/1.1\r\nConnection: close\r\nContent-Length: 2\r\n\r\nxx', 422, 'not-a-drawing'],
     ]) {
-      const [head, body] = (await answer(text)).split('\r\n\r\n');
+      const [head, body] = (await answer(url, text)).split('\r\n\r\n');
       assert.match(head, new RegExp(`^HTTP/1\\.1 ${status} `), text.slice(0, 60));
       const { error } = JSON.parse(body);
       assert.deepEqual([error.code, error.retryable, error.params], [code, false, {}], text.slice(0, 60));
     }
     assert.equal((await send(`/quote?${SHORT}`, PLATE)).status, 200);
+  });
+
+  it('did not count what is no request, and counted half of one as a client that left', async (t) => {
+    const { url, log } = await serve(t);
+    for (const text of ['GARBAGE\r\n\r\n', `${post('Transfer-Encoding: chunked')}zz\r\n`]) await answer(url, text);
+    const figures = await (await fetch(`${url}/metrics`)).text();
+    const counted = figures.split('\n').filter((text) => /^kerfway_(requests|errors)_total\{/.test(text));
+    assert.deepEqual(counted, ['kerfway_requests_total{route="unreadable",status="400"} 2', 'kerfway_errors_total{code="malformed-form"} 2']);
+    assert.deepEqual(log.map(({ event, status }) => [event, status]).filter(([, status]) => status >= 400), [['unreadable', 400], ['unreadable', 400]]);
+  });
+
+  it('answered an expectation with a bare 417, and a request for a tunnel with nothing', async (t) => {
+    const { url } = await serve(t);
+    for (const [text, status, code] of [
+      [`${post('Expect: something-else', 'Connection: close', 'Content-Length: 2')}xx`, 422, 'not-a-drawing'],
+      ['GET /nothing HTTP/1.1\r\nExpect: something-else\r\nConnection: close\r\n\r\n', 404, 'not-found'],
+      ['CONNECT shop.example:443 HTTP/1.1\r\nHost: x\r\n\r\n', 405, 'method-not-allowed'],
+    ]) {
+      const [head, body] = (await answer(url, text)).split('\r\n\r\n');
+      assert.match(head, new RegExp(`^HTTP/1\\.1 ${status} `), text);
+      assert.equal(JSON.parse(body).error.code, code, text);
+    }
+    assert.match(await (await fetch(`${url}/metrics`)).text(), /requests_total\{route="quote",status="422"\} 1\n/);
   });
 
   it('ends a slow upload and a drawing that takes too long', async (t) => {

@@ -54,6 +54,8 @@ interface Reply {
 class HttpService {
   private readonly server: Server;
   private readonly metrics: Metrics;
+  /** Whether the rest of a request could not be read, so that it has an answer. */
+  private readonly wasUnreadable: ReturnType<typeof answerUnreadable>;
   private readonly running = new Set<AbortController>();
   /** The requests whose drawing is arriving, or is being put into the queue. */
   private arriving = 0;
@@ -71,7 +73,12 @@ class HttpService {
     this.server = createServer({ requireHostHeader: false, headersTimeout: HEADERS_TIMEOUT, requestTimeout: Math.round((settings.upload + 30) * 1000), keepAliveTimeout: 5_000 }, (request, response) => {
       void this.handle(request, response);
     });
-    answerUnreadable(this.server, log);
+    // Node would answer an expectation that it does not know with a bare 417. Such a request is answered like any other.
+    this.server.on('checkExpectation', (request, response) => this.server.emit('request', request, response));
+    this.wasUnreadable = answerUnreadable(this.server, (status, code, cause) => {
+      this.metrics.answered('unreadable', status, null, code);
+      this.log('info', 'unreadable', { status, code, cause });
+    });
   }
 
   async start(): Promise<Service> {
@@ -119,6 +126,7 @@ class HttpService {
     } catch (error) {
       reply = this.failed(error, gone.signal);
     }
+    if (this.wasUnreadable(request.socket)) return;
     if (gone.signal.aborted && reportOf(gone.signal.reason).code === 'closed') reply = { ...reply, status: CLIENT_LEFT };
     this.send(request, response, reply);
     const seconds = (performance.now() - begun) / 1000;
