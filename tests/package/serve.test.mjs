@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
+import { createServer } from 'node:http';
 import { connect } from 'node:net';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
@@ -12,6 +13,7 @@ import { quote } from 'kerfway';
 import { keysIn } from '../../dist/sdk/server/keys.js';
 import { serve as startService } from '../../dist/sdk/server/serve.js';
 import { DEFAULTS } from '../../dist/sdk/server/settings.js';
+import { answerUnreadable } from '../../dist/sdk/server/unreadable.js';
 import { safeName } from '../../dist/sdk/server/body.js';
 import { hostile } from './hostile.mjs';
 import { form, serve } from './serving.mjs';
@@ -306,6 +308,18 @@ describe('the service', () => {
     const counted = figures.split('\n').filter((text) => /^kerfway_(requests|errors)_total\{/.test(text));
     assert.deepEqual(counted, ['kerfway_requests_total{route="unreadable",status="400"} 2', 'kerfway_errors_total{code="malformed-form"} 2']);
     assert.deepEqual(log.map(({ event, status }) => [event, status]).filter(([, status]) => status >= 400), [['unreadable', 400], ['unreadable', 400]]);
+  });
+
+  it('answered a connection on which nothing was sent, and counted it', async (t) => {
+    const counted = [];
+    const server = createServer({ headersTimeout: 100, connectionsCheckingInterval: 50 });
+    answerUnreadable(server, (status) => counted.push(status));
+    await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+    t.after(() => server.close());
+    const url = `http://127.0.0.1:${server.address().port}`;
+    assert.deepEqual([await answer(url, ''), counted], ['', []]);
+    assert.match(await answer(url, 'GET / HTTP/1.1\r\n'), /^HTTP\/1\.1 408 /);
+    assert.deepEqual(counted, [408]);
   });
 
   it('answered an expectation with a bare 417, and a request for a tunnel with nothing', async (t) => {

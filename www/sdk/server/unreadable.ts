@@ -1,6 +1,7 @@
 /** Answers what is no request of HTTP with an error in JSON, as everything else: Node would answer without a body. */
 
 import { STATUS_CODES, type Server, type ServerResponse } from 'node:http';
+import type { Socket } from 'node:net';
 import type { Duplex } from 'node:stream';
 import { KerfwayError } from '../errors.js';
 import type { ErrorCode } from '../generated/types.js';
@@ -33,8 +34,8 @@ export function answerUnreadable(server: Server, answered: Answered): (socket: D
   server.on('request', (request, response) => begun.set(request.socket, response));
   server.on('clientError', (error: NodeJS.ErrnoException, socket) => {
     const last = begun.get(socket);
-    // Within an answer that has begun there is no room for another.
-    if (!socket.writable || (last?.headersSent && !last.writableFinished)) socket.destroy();
+    // A connection that a browser opens in advance sends nothing, and expects nothing. Within an answer that has begun there is no room for another.
+    if ((socket as Socket).bytesRead === 0 || !socket.writable || (last?.headersSent && !last.writableFinished)) socket.destroy();
     else end(socket, reasonOf(error), error.code ?? '');
   });
   // Node would close the connection of one that asks for a tunnel.
