@@ -17,6 +17,16 @@ async function plannedAtOnce(t, hash, contours) {
   return { page, program, first: await program() };
 }
 
+/** Runs in the page: checks of a program begin so many milliseconds later, as on a slow machine. */
+const slowChecks = () => {
+  const { postMessage } = Worker.prototype;
+  window.checksTake = 0;
+  Worker.prototype.postMessage = function (message, ...rest) {
+    if (message.type !== 'check' || window.checksTake === 0) return postMessage.call(this, message, ...rest);
+    setTimeout(() => postMessage.call(this, message, ...rest), window.checksTake);
+  };
+};
+
 const facts = (page) => page.locator('.preflight').textContent();
 
 // Each waits for ten seconds until the proof begins: side by side.
@@ -49,10 +59,27 @@ describe('a proof after the search', { concurrency: true }, () => {
     });
     await page.waitForFunction(() => document.querySelector('.dock-head').textContent === 'Optimal: no better path exists.');
     assert.notEqual(await program(), first);
-    await page.waitForFunction((old) => document.querySelector('.preflight').textContent !== old, before);
+    await page.waitForFunction((old) => ![old, ''].includes(document.querySelector('.preflight:not([aria-busy=true])')?.textContent ?? ''), before);
     assert.match(await facts(page), /24 contours/);
     assert.equal(await page.evaluate(() => window.lost), 0, 'the verdict stays until there is one on the better path');
     assert.deepEqual(beamRuns(await program()).length, 24);
+  });
+
+  it('left the report on the path before in place, as if it were of the better one', async (t) => {
+    const { page } = await openPage(t, { hash: 'seconds=0.001', prepare: slowChecks });
+    await phase(page, 'done');
+    await drop(page, 'grid.dxf', grid(24));
+    await planned(page, 'grid.dxf', 'done');
+    await page.locator('.preflight').getByText('24 contours').waitFor();
+    await page.evaluate(() => (window.checksTake = 2000));
+    const job = () => document.querySelector('.compare tbody:last-of-type td').textContent;
+    const before = await page.evaluate(job);
+    await page.waitForFunction((before) => document.querySelector('.compare tbody:last-of-type td').textContent !== before, before);
+    assert.match(await facts(page), /^The program passes its check\s*A better path was found\. Its program is being checked\.$/);
+    await page.locator('.preflight').getByText('24 contours').waitFor();
+    const now = await page.evaluate(job);
+    assert.notEqual(now, before);
+    assert.ok((await facts(page)).replaceAll('\u00a0', ' ').includes(now.replaceAll('\u00a0', ' ')), now);
   });
 
   it('leaves the plan of another method as it is', async (t) => {
