@@ -137,6 +137,19 @@ describe('the service', () => {
     await refused(wrong, 405, 'method-not-allowed');
   });
 
+  it('asked for an AbortController, listed options that it refuses, and ignored some that do nothing', async () => {
+    const { send } = usual;
+    const told = async (query) => (await refused(await send(query, PLATE), 400, 'unknown-field')).message;
+    for (const name of ['signal', 'onProgress']) assert.equal(await told(`/plan?${name}=x`), `plan has no option "${name}" in this service.`);
+    assert.equal(await told('/plan?options={"signal":null}'), 'plan has no option "signal" in this service.');
+    for (const [kind, last] of [['inspect', 'contours'], ['plan', 'outputs'], ['quote', 'limits']]) {
+      const names = /There are: (.*)\.$/.exec(await told(`/${kind}?zzzzzzzzzzzz=1`))[1].split(', ');
+      assert.deepEqual(['workers', 'warm', 'signal', 'onLoaded'].filter((name) => names.includes(name)), []);
+      assert.ok(names.includes(last) && names.includes('name'), `${kind}: ${names}`);
+    }
+    for (const query of ['/plan?thumbnails=96', '/quote?thumbnails=96', '/quote?acceptGuess=true', '/inspect?acceptGuess=true']) assert.match(await told(query), /^\w+ has no option "(thumbnails|acceptGuess)"\. /);
+  });
+
   it('let requests without a budget have the default one, which may be above its limits', async (t) => {
     const { url, send } = await serve(t, '--most-seconds', '0.2', '--most-moves', '1000');
     const limits = ({ properties: { seconds, moves } }) => [seconds.maximum, moves.maximum];
