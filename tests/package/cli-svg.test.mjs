@@ -92,6 +92,18 @@ describe('standard input', () => {
     assert.deepEqual(reading(join(folder(t), 'output'), 'w', 'inspect', '-'), [1, 'kerfway: Standard input cannot be read: it is not open for that.\n']);
   });
 
+  it('that is read twice was an empty drawing the second time', async (t) => {
+    const limits = join(folder(t), 'limits.json');
+    writeFileSync(limits, '{"smallest_hole":3}');
+    const twice = [['quote', '-', '--limits', '-'], ['verify', '-', '-']];
+    for (const words of twice) {
+      const { code, stderr } = await piped('{"smallest_hole":3}', ...words);
+      assert.deepEqual([code, stderr], [1, 'kerfway: Standard input was read already: name one of the files that are read from it.\n'], words.join(' '));
+    }
+    assert.equal((await piped(MM, 'quote', '-', '--limits', limits, ...QUICK)).code, 0);
+    assert.match((await piped('[', 'quote', 'a.dxf', '--limits', '-')).stderr, /^kerfway: Standard input is not JSON: limits are /);
+  });
+
   it('was called - by check, solve and verify', async () => {
     const check = await piped('M5\n', 'check', '-');
     assert.match(check.stdout, /^standard input: fails/);

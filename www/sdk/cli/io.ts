@@ -86,12 +86,17 @@ export function subject(file: string): string {
   return file === STANDARD_INPUT ? 'Standard input' : file;
 }
 
+/** What comes a second time from standard input is empty. */
+let standardInputIsRead = false;
+
 /** Reads a file, or standard input (`-`). A file above the size limit is not read to its end. */
 export async function bytesOf(file: string): Promise<Uint8Array> {
   let handle: FileHandle | undefined;
   try {
     if (file === STANDARD_INPUT) {
       // Node's stream of a folder is empty.
+      if (standardInputIsRead) throw new Unusable('Standard input was read already: name one of the files that are read from it.');
+      standardInputIsRead = true;
       if (fstatSync(0).isDirectory()) throw Object.assign(new Error(), { code: 'EISDIR' });
       return await upToLimit(file, process.stdin);
     }
