@@ -273,6 +273,16 @@ describe('the service', () => {
     assert.throws(() => keysIn('# none\n'), /no key/);
   });
 
+  it('read the names of keys, and told nobody whose a request was', async (t) => {
+    const at = folder(t);
+    writeFileSync(join(at, 'keys'), '# shops\nshop-a 0123456789abcdef0123\nfedcba98765432100000\n');
+    const { send, log, stop } = await serve(t, '--keys', join(at, 'keys'));
+    for (const key of ['0123456789abcdef0123', 'fedcba98765432100000', 'wrong']) await send(`/quote?${SHORT}`, PLATE, { headers: { 'x-api-key': key } });
+    await stop();
+    assert.deepEqual(log.filter(({ event }) => event === 'request').map(({ status, key }) => [status, key]), [[200, 'shop-a'], [200, 'line 3'], [401, undefined]]);
+    assert.throws(() => keysIn('a 0123456789abcdef0123\nb 0123456789abcdef0123\n'), { message: 'The key in line 2 is in a line before, too. Give each key once.' });
+  });
+
   it('answers pages of the configured origins only', async (t) => {
     const { url, send } = await serve(t, '--cors', 'https://shop.example');
     const asked = await fetch(`${url}/quote`, { method: 'OPTIONS', headers: { origin: 'https://shop.example', 'access-control-request-method': 'POST' } });
