@@ -1,6 +1,7 @@
 """The reference checker of the benchmark of cutting paths, as a command. The rules themselves are in rules.py.
 
-    python3 check.py FOLDER                   every plan of a folder: NAME.json or NAME.json.gz is a plan for the instance NAME
+    python3 check.py FOLDER                   every plan of a folder: NAME.json or NAME.json.gz is a plan for the instance NAME, which is one of the
+                                              benchmark or the file NAME.instance.json beside it
     python3 check.py INSTANCE PLAN            one plan for an instance in a file
     python3 check.py --instance NAME PLAN     one plan for an instance of the benchmark
 
@@ -75,10 +76,13 @@ def agrees(instance):
             raise ValueError(f"{key} is {cost[key]}")
 
 
-def instance_of(name):
-    """An instance of the benchmark, and its entry in instances.json."""
+def instance_of(name, beside=None):
+    """An instance of the benchmark, and its entry in instances.json; or one in the folder `beside`, with an entry that is empty."""
     entry = next((e for e in json.loads((HERE / "instances.json").read_text())["instances"] if e["name"] == name), None)
     if entry is None:
+        own = [beside / f"{name}.instance.json{packed}" for packed in ("", ".gz")] if beside else []
+        for file in filter(Path.exists, own):
+            return instance_in(file), {}
         raise Wrong(f"not-a-plan: there is no instance named {name}")
     try:
         data = load(HERE / entry["file"])
@@ -91,18 +95,19 @@ def instance_of(name):
 
 def folder(path):
     """Checks every plan of a folder; the exit code."""
-    files = sorted(file for file in path.iterdir() if file.name.endswith((".json", ".json.gz")))
+    instances = (".instance.json", ".instance.json.gz")
+    files = sorted(file for file in path.iterdir() if file.name.endswith((".json", ".json.gz")) and not file.name.endswith(instances))
     if not files:
         raise Unusable(f"there is no plan in {path}: a plan for the instance NAME is named NAME.json or NAME.json.gz")
     code = 0
     for file in files:
         name = file.name.removesuffix(".gz").removesuffix(".json")
         try:
-            instance, entry = instance_of(name)
+            instance, entry = instance_of(name, path)
             value = check(instance, plan_of(file))
             best = entry.get("best", {}).get("value")
-            beside = "" if best is None else f"   best known {best:.3f}   {round(100 * (value / best - 1), 3) + 0.0:+.3f} %"
-            print(f"{name:24} {value:14.3f}{beside}", flush=True)
+            known = "" if best is None else f"   best known {best:.3f}   {round(100 * (value / best - 1), 3) + 0.0:+.3f} %"
+            print(f"{name:24} {value:14.3f}{known}", flush=True)
         except Wrong as error:
             code = 1
             print(f"{name:24} WRONG  {error}", flush=True)

@@ -5,7 +5,7 @@
 //     trace [--only NAME] [--seconds S]  writes how our values and bounds change over the seconds into `traces`, for the plots of the site
 //     compare FOLDER [--only NAME]       writes the plans of other programs into folders below, those that are installed [--by PROGRAM]
 //     keep FOLDER                        takes the plans of a folder that are sound and better into `best`
-//     generate FOLDER --seed N           writes fresh instances and our plans for them [--count K] [--seconds S]
+//     generate FOLDER --seed N           writes fresh instances, NAME.instance.json, and our plans for them, NAME.json [--count K] [--seconds S]
 //     freeze                             makes the instances again, for the maintainers of the benchmark
 //     site [FOLDER]                      writes the static pages (default target/benchmark-site)
 
@@ -53,7 +53,7 @@ const COMMANDS = {
     mkdirSync(needed(folder), { recursive: true });
     for (const track of ['CCP', 'ICP']) {
       const instance = generated({ seed, count, track });
-      const [file, answer] = [join(folder, `${instance.name}.json`), join(folder, `${instance.name}.plan.json`)];
+      const [file, answer] = [join(folder, `${instance.name}.instance.json`), join(folder, `${instance.name}.json`)];
       writeFileSync(file, JSON.stringify(instance));
       writeFileSync(answer, JSON.stringify((await solved(instance, { seconds }, seed)).plan));
       console.log(instance.name);

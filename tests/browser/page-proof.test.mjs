@@ -17,6 +17,18 @@ async function plannedAtOnce(t, hash, contours) {
   return { page, program, first: await program() };
 }
 
+/** Runs in the page: what is asked of the planner begins so many milliseconds later, as on a slow machine; `asked` lists what was. */
+const slowAnswers = () => {
+  const { postMessage } = Worker.prototype;
+  [window.take, window.asked] = [{}, []];
+  Worker.prototype.postMessage = function (message, ...rest) {
+    window.asked.push(message.type);
+    const late = window.take[message.type] ?? 0;
+    if (late === 0) return postMessage.call(this, message, ...rest);
+    setTimeout(() => postMessage.call(this, message, ...rest), late);
+  };
+};
+
 const facts = (page) => page.locator('.preflight').textContent();
 
 // Each waits for ten seconds until the proof begins: side by side.
@@ -49,7 +61,7 @@ describe('a proof after the search', { concurrency: true }, () => {
     });
     await page.waitForFunction(() => document.querySelector('.dock-head').textContent === 'Optimal: no better path exists.');
     assert.notEqual(await program(), first);
-    await page.waitForFunction((old) => document.querySelector('.preflight').textContent !== old, before);
+    await page.waitForFunction((old) => ![old, ''].includes(document.querySelector('.preflight:not([aria-busy=true])')?.textContent ?? ''), before);
     assert.match(await facts(page), /24 contours/);
     assert.equal(await page.evaluate(() => window.lost), 0, 'the verdict stays until there is one on the better path');
     assert.deepEqual(beamRuns(await program()).length, 24);
@@ -66,5 +78,39 @@ describe('a proof after the search', { concurrency: true }, () => {
       [before, now] = [now, await left.textContent()];
     }
     assert.equal(await program(), first);
+  });
+});
+
+describe('a better path that a proof finds', { concurrency: true }, () => {
+  it('left the report on the path before in place, as if it were of the better one', async (t) => {
+    const { page } = await openPage(t, { hash: 'seconds=0.001', prepare: slowAnswers });
+    await phase(page, 'done');
+    await drop(page, 'grid.dxf', grid(24));
+    await planned(page, 'grid.dxf', 'done');
+    await page.locator('.preflight').getByText('24 contours').waitFor();
+    await page.evaluate(() => (window.take = { check: 2000 }));
+    const job = () => document.querySelector('.compare tbody:last-of-type td').textContent;
+    const before = await page.evaluate(job);
+    await page.waitForFunction((before) => document.querySelector('.compare tbody:last-of-type td').textContent !== before, before);
+    assert.match(await facts(page), /^The program passes its check\s*A better path was found\. Its program is being checked\.$/);
+    await page.locator('.preflight').getByText('24 contours').waitFor();
+    const now = await page.evaluate(job);
+    assert.notEqual(now, before);
+    assert.ok((await facts(page)).replaceAll('\u00a0', ' ').includes(now.replaceAll('\u00a0', ' ')), now);
+  });
+
+  it('with a better path ended the reading of another file for the page', async (t) => {
+    const { page } = await openPage(t, { hash: 'seconds=0.001', prepare: slowAnswers });
+    await phase(page, 'done');
+    await drop(page, 'grid.dxf', grid(24));
+    await planned(page, 'grid.dxf', 'done');
+    const job = await page.evaluate(() => document.querySelector('.compare tbody:last-of-type td').textContent);
+    await page.evaluate(() => (window.take = { offer: 1000, load: 4000 }));
+    await page.waitForFunction(() => window.asked.includes('offer'));
+    await drop(page, 'other.dxf', grid(9));
+    await phase(page, 'reading');
+    await page.waitForFunction((job) => document.querySelector('.compare tbody:last-of-type td').textContent !== job, job);
+    assert.equal(await page.evaluate(() => document.body.dataset.phase), 'reading');
+    await planned(page, 'other.dxf', 'done');
   });
 });

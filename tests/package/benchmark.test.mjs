@@ -134,6 +134,26 @@ describe('the reference checker', NEEDS_PYTHON, () => {
     assert.match(said[1], /^sheet-100-ccp +WRONG {2}not-a-plan: .* is not a gzip file: /);
   });
 
+  it('called the instances of generate unknown when their plans were checked', (t) => {
+    const folder = mkdtempSync(join(tmpdir(), 'kerfway-'));
+    t.after(() => rmSync(folder, { recursive: true }));
+    const command = (...words) => spawnSync(process.execPath, [join(HERE, 'run.mjs'), ...words], { encoding: 'utf8' });
+    const made = command('generate', folder, '--seed', '7', '--count', '12', '--seconds', '0.2');
+    assert.equal(made.status, 0, made.stderr);
+    const lines = () => spawnSync('python3', [join(HERE, 'check.py'), folder], { encoding: 'utf8' });
+    const [, ccp, icp] = /(\d+\.\d+)\n[^]*?(\d+\.\d+)\n/.exec(made.stdout);
+    const { status, stdout } = lines();
+    const said = stdout.trim().split('\n').map((text) => text.split(/ +/));
+    assert.deepEqual([status, said], [0, [['generated-ccp-12-7', Number(ccp).toFixed(3)], ['generated-icp-12-7', Number(icp).toFixed(3)]]]);
+    // A plan of somebody else takes the place of ours, packed or not.
+    writeFileSync(join(folder, 'generated-ccp-12-7.json'), '{"moves": []}');
+    assert.match(lines().stdout, /^generated-ccp-12-7 +WRONG {2}not-cut: /);
+    writeFileSync(join(folder, 'unknown.json'), '{"moves": []}');
+    assert.match(lines().stdout, /^unknown +WRONG {2}not-a-plan: there is no instance named unknown$/m);
+    writeFileSync(join(folder, 'generated-ccp-12-7.instance.json'), '{}');
+    assert.match(lines().stdout, /^generated-ccp-12-7 +not checked: .*generated-ccp-12-7\.instance\.json is not an instance: /);
+  });
+
   it('rejects a tour that visits a set twice, or not at all', (t) => {
     const { plan } = best('31pr152');
     assert.match(checked(t, '31pr152', { tour: [...plan.tour, plan.tour[0]] }).text, /^WRONG {2}visited-twice: /);

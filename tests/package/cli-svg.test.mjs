@@ -1,10 +1,11 @@
 // SVG on the command line, standard input, tolerances, and what happens while the unit is in doubt.
 
 import assert from 'node:assert/strict';
-import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { spawnSync } from 'node:child_process';
+import { closeSync, existsSync, openSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
-import { circle, dxf, folder, kerfway, line, piped, square, unitless } from './support.mjs';
+import { circle, CLI, dxf, folder, kerfway, line, piped, square, unitless } from './support.mjs';
 
 const QUICK = ['--moves', '50', '--seed', '1'];
 const svg = (root, body) => `<svg xmlns="http://www.w3.org/2000/svg" ${root}>${body}</svg>`;
@@ -71,6 +72,44 @@ describe('standard input', () => {
     const { code, stderr } = await piped('nonsense', 'inspect', '-');
     assert.deepEqual([code, /^kerfway: Standard input: This is neither a DXF nor an SVG/.test(stderr)], [1, true]);
     assert.deepEqual((await piped(MM, 'plan', '-', '--watch')).code, 2);
+  });
+
+  /** The command line with an open file as its standard input. */
+  const reading = (path, flags, ...args) => {
+    const input = openSync(path, flags);
+    const { status, stderr } = spawnSync(process.execPath, [CLI, ...args], { encoding: 'utf8', stdio: [input, 'pipe', 'pipe'] });
+    closeSync(input);
+    return [status, stderr];
+  };
+
+  it('that is a folder was an empty file', (t) => {
+    for (const command of ['plan', 'inspect', 'quote', 'check', 'solve']) {
+      assert.deepEqual(reading(folder(t), 'r', command, '-'), [1, 'kerfway: Standard input cannot be read: that is a folder, not a file.\n'], command);
+    }
+  });
+
+  it('that cannot be read was a crash', (t) => {
+    assert.deepEqual(reading(join(folder(t), 'output'), 'w', 'inspect', '-'), [1, 'kerfway: Standard input cannot be read: it is not open for that.\n']);
+  });
+
+  it('that is read twice was an empty drawing the second time', async (t) => {
+    const limits = join(folder(t), 'limits.json');
+    writeFileSync(limits, '{"smallest_hole":3}');
+    const twice = [['quote', '-', '--limits', '-'], ['verify', '-', '-']];
+    for (const words of twice) {
+      const { code, stderr } = await piped('{"smallest_hole":3}', ...words);
+      assert.deepEqual([code, stderr], [1, 'kerfway: Standard input was read already: name one of the files that are read from it.\n'], words.join(' '));
+    }
+    assert.equal((await piped(MM, 'quote', '-', '--limits', limits, ...QUICK)).code, 0);
+    assert.match((await piped('[', 'quote', 'a.dxf', '--limits', '-')).stderr, /^kerfway: Standard input is not JSON: limits are /);
+  });
+
+  it('was called - by check, solve and verify', async () => {
+    const check = await piped('M5\n', 'check', '-');
+    assert.match(check.stdout, /^standard input: fails/);
+    assert.equal(check.stderr, 'kerfway: Standard input fails: The program cuts nothing.\n');
+    assert.equal((await piped('nonsense', 'solve', '-')).stderr, 'kerfway: Standard input: The file has no TYPE.\n');
+    assert.match((await piped('nonsense', 'verify', '-')).stderr, /^kerfway: Standard input names no drawing/);
   });
 });
 

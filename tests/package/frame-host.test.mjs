@@ -9,18 +9,20 @@ import { messageToFrame } from '../../dist/sdk/frame/messages.js';
 const ORIGIN = 'https://files.example';
 const UNSETTLED = Symbol('unsettled');
 
-/** A connected frame whose messages are kept. `ready` is what the page in it says, `page` when it was loaded. */
+/** A connected frame whose messages are kept. `ready` is what the page in it says, `page` when it was loaded; `load` is the event of the browser. */
 function hosted(listener) {
   const listeners = new Set();
+  const loads = new Set();
   globalThis.location = { href: 'https://shop.example/' };
   globalThis.window = { addEventListener: (_, listen) => listeners.add(listen), removeEventListener: (_, listen) => listeners.delete(listen) };
   const posted = [];
   const contentWindow = { postMessage: (message) => posted.push(structuredClone(message)) };
-  const frame = connectFrame({ src: `${ORIGIN}/frame.html`, contentWindow, addEventListener() {}, removeEventListener() {} }, listener);
+  const iframe = { src: `${ORIGIN}/frame.html`, contentWindow, addEventListener: (_, listen) => loads.add(listen), removeEventListener: (_, listen) => loads.delete(listen) };
+  const frame = connectFrame(iframe, listener);
   const say = (message) => listeners.forEach((listen) => listen({ source: contentWindow, origin: ORIGIN, data: { kerfway: 1, ...message } }));
   /** What the frame has accepted since this was asked last. */
   const accepted = () => posted.splice(0).map(messageToFrame).filter((message) => message?.type !== 'hello');
-  return { frame, say, accepted, ready: (page = 1) => say({ type: 'ready', page, machines: [], methods: [] }) };
+  return { frame, say, accepted, load: () => loads.forEach((listen) => listen()), ready: (page = 1) => say({ type: 'ready', page, machines: [], methods: [] }) };
 }
 
 afterEach(() => {
@@ -105,4 +107,105 @@ it('options that are null, and a material that is undefined, were no refusals', 
   for (const none of [null, undefined]) assert.throws(() => frame.setMaterial(none), { code: 'wrong-type', params: { field: 'material', value: 'null' } });
   assert.throws(() => frame.setOptions(null), { code: 'wrong-type' });
   assert.deepEqual(accepted(), []);
+});
+
+/** A function that lets seconds pass, instead of the clock. Node's own replacement keeps an interval that is cleared while it runs. */
+function clock(t) {
+  const ticks = new Set();
+  t.mock.method(globalThis, 'setInterval', (tick) => (ticks.add(tick), tick));
+  t.mock.method(globalThis, 'clearInterval', (tick) => ticks.delete(tick));
+  return (seconds) => {
+    for (let k = 0; k < seconds; k += 1) ticks.forEach((tick) => tick());
+  };
+}
+
+/** What a promise has come to by now; `UNSETTLED` if it waits. */
+async function byNow(promise) {
+  return Promise.race([promise.then((value) => value, (error) => error), (async () => {
+    for (let k = 0; k < 20; k += 1) await null;
+    return UNSETTLED;
+  })()]);
+}
+
+it('a call to a frame that never loads, or whose page never answers, never settled', async (t) => {
+  const pass = clock(t);
+  const { frame, accepted, load, ready } = hosted();
+  frame.setOptions({ seconds: 1 });
+  const calls = [frame.open(new ArrayBuffer(3), 'a.dxf'), frame.quote(new ArrayBuffer(3), 'a.dxf'), frame.render('svg')];
+  // A slow network: the page after 100 seconds, and its planner not within another 100.
+  pass(100);
+  load();
+  pass(100);
+  for (const call of calls) assert.equal(await byNow(call), UNSETTLED);
+  pass(20);
+  for (const call of calls) {
+    const { code, retryable, message, params } = await byNow(call);
+    assert.deepEqual([code, retryable, params], ['not-started', true, { seconds: 120 }]);
+    assert.equal(message, 'The frame has not answered for 120 seconds. Check that https://files.example/frame.html is the frame page, and that "host" in its address is https://shop.example, then try again.');
+  }
+  // It answers after all: what nobody waits for is not done.
+  ready();
+  assert.deepEqual(accepted(), [{ type: 'options', options: { seconds: 1 } }]);
+});
+
+it('a frame that fell silent never settled its call, and one that reports its progress is not given up', async (t) => {
+  const pass = clock(t);
+  const { frame, say, ready } = hosted();
+  ready();
+  const opened = frame.open(new ArrayBuffer(3), 'a.dxf');
+  for (let k = 0; k < 5; k += 1) {
+    pass(290);
+    say({ type: 'progress', progress: {} });
+  }
+  assert.equal(await byNow(opened), UNSETTLED);
+  pass(300);
+  const { code, message } = await byNow(opened);
+  assert.deepEqual([code, message], ['planner-died', 'The frame has not answered for 300 seconds. Load the frame again, then open the drawing again.']);
+  // Silence between two calls is none.
+  pass(1000);
+  const second = frame.open(new ArrayBuffer(3), 'a.dxf');
+  pass(290);
+  assert.equal(await byNow(second), UNSETTLED);
+  frame.disconnect();
+  await assert.rejects(second, { code: 'closed' });
+});
+
+it('a frame whose planner could not start left its calls waiting', async () => {
+  const heard = [];
+  const { frame, say, accepted, ready } = hosted({ onError: (message, { code }) => heard.push([message, code]) });
+  const opened = frame.open(new ArrayBuffer(3), 'a.dxf');
+  const error = { code: 'not-started', message: 'The planner could not be started.', params: {}, retryable: true };
+  say({ type: 'error', error });
+  const [message] = accepted();
+  assert.deepEqual([message?.type, heard], ['open', [[error.message, error.code]]]);
+  say({ type: 'refused', id: message.id, error });
+  assert.equal((await settled(opened)).code, 'not-started');
+  // Loaded again, it starts.
+  frame.setOptions({ seconds: 1 });
+  ready(2);
+  assert.deepEqual(accepted().at(-1), { type: 'options', options: { seconds: 1 } });
+});
+
+it('a call could not be aborted', async () => {
+  const { frame, accepted, ready } = hosted();
+  const reason = new Error('no longer wanted');
+  const open = (signal) => frame.open(new ArrayBuffer(3), 'a.dxf', { signal });
+  assert.equal(await settled(open(AbortSignal.abort(reason))), reason);
+  const waiting = new AbortController();
+  const early = open(waiting.signal);
+  waiting.abort(reason);
+  assert.equal(await settled(early), reason);
+  ready();
+  assert.deepEqual(accepted(), []);
+
+  const [first, second, third] = [1, 2, 3].map(() => new AbortController());
+  const [replaced, running, picture] = [open(first.signal), open(second.signal), frame.render('svg', { signal: third.signal })];
+  accepted();
+  first.abort(reason);
+  third.abort(reason);
+  assert.deepEqual([await settled(replaced), await settled(picture), accepted()], [reason, reason, []]);
+  second.abort(reason);
+  assert.deepEqual([await settled(running), accepted()], [reason, [{ type: 'stop' }]]);
+  assert.equal((await settled(open('signal'))).code, 'wrong-type');
+  assert.equal((await settled(frame.quote(new ArrayBuffer(3), 'a.dxf', { name: 'b' }))).code, 'unknown-field');
 });

@@ -40,6 +40,8 @@ describe('the published package', () => {
     }
     const strange = files.filter((f) => !/^(LICENSE|README\.md|CHANGELOG\.md|package\.json|dist\/sdk\/.*\.(c?js|c?js\.map|d\.c?ts|json|wasm|html|css))$/.test(f));
     assert.deepEqual(strange, []);
+    // Nothing imports the command line and the service, so that their types are of no use.
+    assert.deepEqual(files.filter((f) => /^dist\/sdk\/(cli|server)\/.*\.d\.ts$/.test(f)), []);
     assert.ok(packed.size < PACKED_BUDGET * 1000, `${packed.size} bytes`);
   });
 

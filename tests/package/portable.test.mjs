@@ -108,6 +108,29 @@ describe('a planner runs where the host says', () => {
     await assert.rejects(createPlanner({ wasmUrl: join(at, 'nowhere.wasm') }));
   });
 
+  it('a function "locate" that returns no address was a message of Node\'s', async () => {
+    const { createPlanner } = await import('kerfway');
+    const sdk = pathToFileURL(join(at, 'node_modules', 'kerfway', 'dist', 'sdk', '/'));
+    const beside = (file) => new URL(file.endsWith('.wasm') ? `pkg/${file}` : file, sdk);
+    const cases = [[5, '5'], [null, 'null'], ['', '""'], [{}, 'an object'], [Promise.resolve('x'), 'an object']];
+    for (const file of ['kerfway_bg.wasm', 'node-worker.js', 'kerfway_outputs_bg.wasm']) {
+      for (const [returned, named] of cases) {
+        const locate = (asked) => (asked === file ? returned : beside(asked));
+        const worker = file !== 'kerfway_outputs_bg.wasm';
+        const work = async () => {
+          const planner = await createPlanner({ locate, worker });
+          await planner.load(bytes(KEYBOARD), 'keyboard.dxf');
+          await planner.plan({ moves: 1, allowOffBed: true }).done;
+          await planner.output('gcode');
+        };
+        const message = `The function "locate" returns ${named} for ${file}. Return its address at once, as a text or a URL.`;
+        await assert.rejects(work, { name: 'KerfwayError', code: 'wrong-type', message, params: { field: 'locate', value: named } });
+      }
+    }
+    // One that moves some files only leaves the others beside the package.
+    (await createPlanner({ locate: () => undefined })).close();
+  });
+
   it('in a browser that serves no files of the package, the sentence says what to do', () => {
     const index = readFileSync(join(ROOT, 'dist', 'sdk', 'index.js'), 'utf8');
     assert.match(index, /say where they are \(locate\), or import kerfway\/portable/);

@@ -41,6 +41,13 @@ test('groups, joints and leads of single contours are in the plan of the package
   assert.equal(places[3] - places[0], 3, `one after the other: ${order}`);
 });
 
+test('a part of a choice that is no number was named without the choice, or not at all', async (t) => {
+  for (const [option, given, part] of [['sequence', '1,', ''], ['together', '0,6a', '6a'], ['joints-of', '3=x', 'x'], ['lead-of', 'x=arc', 'x'], ['joint-at', 'x@0.5', 'x']]) {
+    const { code, stderr } = await cli(t, `--${option}`, given);
+    assert.deepEqual([code, stderr.split('\n')[0]], [2, `kerfway: --${option} ${given}: "${part}" is no whole number from 0 to 9007199254740991.`]);
+  }
+});
+
 test('choices that cannot be are refused with a sentence', async (t) => {
   assert.match((await cli(t, '--lead-of', '3=spiral')).stderr, /--lead-of/);
   assert.match((await cli(t, '--joints-of', '3')).stderr, /give the id of a contour and a value, as 3=2/);

@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
+import { createServer } from 'node:http';
 import { connect } from 'node:net';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
@@ -12,6 +13,7 @@ import { quote } from 'kerfway';
 import { keysIn } from '../../dist/sdk/server/keys.js';
 import { serve as startService } from '../../dist/sdk/server/serve.js';
 import { DEFAULTS } from '../../dist/sdk/server/settings.js';
+import { answerUnreadable } from '../../dist/sdk/server/unreadable.js';
 import { safeName } from '../../dist/sdk/server/body.js';
 import { hostile } from './hostile.mjs';
 import { form, serve } from './serving.mjs';
@@ -26,6 +28,17 @@ async function refused(response, status, code) {
   assert.deepEqual(Object.keys(error), ['code', 'message', 'params', 'retryable']);
   return error;
 }
+
+/** Everything that a service answers to these bytes, until it closes the connection. */
+const answer = (url, text) => new Promise((resolve, reject) => {
+  const { hostname, port } = new URL(url);
+  let said = '';
+  const socket = connect(Number(port), hostname, () => socket.write(text));
+  socket.on('data', (data) => (said += data)).on('close', () => resolve(said)).on('error', reject);
+});
+
+/** The head of a request to quote. */
+const post = (...headers) => `${['POST /quote HTTP/1.1', 'Host: x', ...headers].join('\r\n')}\r\n\r\n`;
 
 describe('the service', () => {
   /** One with the usual settings. */
@@ -122,6 +135,19 @@ describe('the service', () => {
     const wrong = await fetch(`${url}/quote`);
     assert.equal(wrong.headers.get('allow'), 'POST');
     await refused(wrong, 405, 'method-not-allowed');
+  });
+
+  it('asked for an AbortController, listed options that it refuses, and ignored some that do nothing', async () => {
+    const { send } = usual;
+    const told = async (query) => (await refused(await send(query, PLATE), 400, 'unknown-field')).message;
+    for (const name of ['signal', 'onProgress']) assert.equal(await told(`/plan?${name}=x`), `plan has no option "${name}" in this service.`);
+    assert.equal(await told('/plan?options={"signal":null}'), 'plan has no option "signal" in this service.');
+    for (const [kind, last] of [['inspect', 'contours'], ['plan', 'outputs'], ['quote', 'limits']]) {
+      const names = /There are: (.*)\.$/.exec(await told(`/${kind}?zzzzzzzzzzzz=1`))[1].split(', ');
+      assert.deepEqual(['workers', 'warm', 'signal', 'onLoaded'].filter((name) => names.includes(name)), []);
+      assert.ok(names.includes(last) && names.includes('name'), `${kind}: ${names}`);
+    }
+    for (const query of ['/plan?thumbnails=96', '/quote?thumbnails=96', '/quote?acceptGuess=true', '/inspect?acceptGuess=true']) assert.match(await told(query), /^\w+ has no option "(thumbnails|acceptGuess)"\. /);
   });
 
   it('let requests without a budget have the default one, which may be above its limits', async (t) => {
@@ -247,6 +273,16 @@ describe('the service', () => {
     assert.throws(() => keysIn('# none\n'), /no key/);
   });
 
+  it('read the names of keys, and told nobody whose a request was', async (t) => {
+    const at = folder(t);
+    writeFileSync(join(at, 'keys'), '# shops\nshop-a 0123456789abcdef0123\nfedcba98765432100000\n');
+    const { send, log, stop } = await serve(t, '--keys', join(at, 'keys'));
+    for (const key of ['0123456789abcdef0123', 'fedcba98765432100000', 'wrong']) await send(`/quote?${SHORT}`, PLATE, { headers: { 'x-api-key': key } });
+    await stop();
+    assert.deepEqual(log.filter(({ event }) => event === 'request').map(({ status, key }) => [status, key]), [[200, 'shop-a'], [200, 'line 3'], [401, undefined]]);
+    assert.throws(() => keysIn('a 0123456789abcdef0123\nb 0123456789abcdef0123\n'), { message: 'The key in line 2 is in a line before, too. Give each key once.' });
+  });
+
   it('answers pages of the configured origins only', async (t) => {
     const { url, send } = await serve(t, '--cors', 'https://shop.example');
     const asked = await fetch(`${url}/quote`, { method: 'OPTIONS', headers: { origin: 'https://shop.example', 'access-control-request-method': 'POST' } });
@@ -272,13 +308,6 @@ describe('the service', () => {
 
   it('answered what is no request without a body, although each error has one', async (t) => {
     const { url, send } = await serve(t);
-    const { hostname, port } = new URL(url);
-    const answer = (text) => new Promise((resolve, reject) => {
-      let said = '';
-      const socket = connect(Number(port), hostname, () => socket.write(text));
-      socket.on('data', (data) => (said += data)).on('close', () => resolve(said)).on('error', reject);
-    });
-    const post = (...headers) => `${['POST /quote HTTP/1.1', 'Host: x', ...headers].join('\r\n')}\r\n\r\n`;
     for (const [text, status, code] of [
       ['GARBAGE\r\n\r\n', 400, 'malformed-form'],
       [post('Content-Length: abc'), 400, 'malformed-form'],
@@ -287,12 +316,47 @@ describe('the service', () => {
       [post(`X-Long: ${'x'.repeat(100_000)}`), 413, 'too-large'],
       ['POST /quote HTTP/1.1\r\nConnection: close\r\nContent-Length: 2\r\n\r\nxx', 422, 'not-a-drawing'],
     ]) {
-      const [head, body] = (await answer(text)).split('\r\n\r\n');
+      const [head, body] = (await answer(url, text)).split('\r\n\r\n');
       assert.match(head, new RegExp(`^HTTP/1\\.1 ${status} `), text.slice(0, 60));
       const { error } = JSON.parse(body);
       assert.deepEqual([error.code, error.retryable, error.params], [code, false, {}], text.slice(0, 60));
     }
     assert.equal((await send(`/quote?${SHORT}`, PLATE)).status, 200);
+  });
+
+  it('did not count what is no request, and counted half of one as a client that left', async (t) => {
+    const { url, log } = await serve(t);
+    for (const text of ['GARBAGE\r\n\r\n', `${post('Transfer-Encoding: chunked')}zz\r\n`]) await answer(url, text);
+    const figures = await (await fetch(`${url}/metrics`)).text();
+    const counted = figures.split('\n').filter((text) => /^kerfway_(requests|errors)_total\{/.test(text));
+    assert.deepEqual(counted, ['kerfway_requests_total{route="unreadable",status="400"} 2', 'kerfway_errors_total{code="malformed-form"} 2']);
+    assert.deepEqual(log.map(({ event, status }) => [event, status]).filter(([, status]) => status >= 400), [['unreadable', 400], ['unreadable', 400]]);
+  });
+
+  it('answered a connection on which nothing was sent, and counted it', async (t) => {
+    const counted = [];
+    const server = createServer({ headersTimeout: 100, connectionsCheckingInterval: 50 });
+    answerUnreadable(server, (status) => counted.push(status));
+    await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+    t.after(() => server.close());
+    const url = `http://127.0.0.1:${server.address().port}`;
+    assert.deepEqual([await answer(url, ''), counted], ['', []]);
+    assert.match(await answer(url, 'GET / HTTP/1.1\r\n'), /^HTTP\/1\.1 408 /);
+    assert.deepEqual(counted, [408]);
+  });
+
+  it('answered an expectation with a bare 417, and a request for a tunnel with nothing', async (t) => {
+    const { url } = await serve(t);
+    for (const [text, status, code] of [
+      [`${post('Expect: something-else', 'Connection: close', 'Content-Length: 2')}xx`, 422, 'not-a-drawing'],
+      ['GET /nothing HTTP/1.1\r\nExpect: something-else\r\nConnection: close\r\n\r\n', 404, 'not-found'],
+      ['CONNECT shop.example:443 HTTP/1.1\r\nHost: x\r\n\r\n', 405, 'method-not-allowed'],
+    ]) {
+      const [head, body] = (await answer(url, text)).split('\r\n\r\n');
+      assert.match(head, new RegExp(`^HTTP/1\\.1 ${status} `), text);
+      assert.equal(JSON.parse(body).error.code, code, text);
+    }
+    assert.match(await (await fetch(`${url}/metrics`)).text(), /requests_total\{route="quote",status="422"\} 1\n/);
   });
 
   it('ends a slow upload and a drawing that takes too long', async (t) => {

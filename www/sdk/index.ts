@@ -11,7 +11,7 @@
 
 import { type Entry, opening, working } from './entry.js';
 import { KerfwayError } from './errors.js';
-import { wasmAt, workerAt, type Places } from './places.js';
+import { located, wasmAt, workerAt, type Places } from './places.js';
 import { webWorkers } from './web-worker.js';
 
 export * from './types.js';
@@ -32,7 +32,7 @@ async function fetchModule(url: string | URL): Promise<WebAssembly.Module> {
 }
 
 const read = (places: Places) => fetchModule(wasmAt(places) ?? new URL('./pkg/kerfway_bg.wasm', import.meta.url));
-const readOutputs = ({ locate }: Places) => fetchModule(locate?.('kerfway_outputs_bg.wasm') ?? new URL('./pkg/kerfway_outputs_bg.wasm', import.meta.url));
+const readOutputs = async (places: Places) => fetchModule(located(places, 'kerfway_outputs_bg.wasm') ?? new URL('./pkg/kerfway_outputs_bg.wasm', import.meta.url));
 
 // Bundlers recognise the worker by exactly this expression, so it must not be rewritten.
 const beside = () => new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });

@@ -11,7 +11,7 @@ import { availableParallelism } from 'node:os';
 import { fileURLToPath } from 'node:url';
 import { Worker } from 'node:worker_threads';
 import { entry, type Entry } from './entry.js';
-import { wasmAt, type Places } from './places.js';
+import { located, wasmAt, workerAt, type Places } from './places.js';
 import { loadedFile } from './wasm-file.js';
 import type { WasmBytes } from './wasm-module.js';
 import type { StartWorker } from './worker-connection.js';
@@ -45,7 +45,7 @@ const threads = (url: string | URL): StartWorker => (onMessage, onDeath) => {
 const workerFile = fileBeside('./node-worker.js');
 
 async function workers(places: Places): Promise<StartWorker> {
-  const url = places.workerUrl ?? places.locate?.('node-worker.js') ?? workerFile;
+  const url = workerAt(places, 'node-worker.js') ?? workerFile;
   return url === null ? (await import('./in-thread.js')).inThread(() => readOutputs(places)) : threads(url);
 }
 
@@ -57,8 +57,8 @@ async function read(places: Places): Promise<WebAssembly.Module> {
   return loadedFile('kerfway', async () => WebAssembly.compile(await bytesOf(url)));
 }
 
-async function readOutputs({ locate }: Places): Promise<WasmBytes> {
-  const url = locate?.('kerfway_outputs_bg.wasm') ?? fileBeside('./pkg/kerfway_outputs_bg.wasm');
+async function readOutputs(places: Places): Promise<WasmBytes> {
+  const url = located(places, 'kerfway_outputs_bg.wasm') ?? fileBeside('./pkg/kerfway_outputs_bg.wasm');
   return url === null ? (await import('./inline.js')).outputsWasm() : bytesOf(url);
 }
 

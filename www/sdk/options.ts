@@ -82,6 +82,7 @@ const KNOWN = {
   quote: shapeOf('quote', ...READING.fields, ...PLANNING_OPTIONS.filter(({ name }) => name !== 'material'), ...JOB, ...TERMS.fields, optional('onProgress', 'callback')),
   verifyQuote: shapeOf('verifyQuote', optional('signal', 'signal')),
   render: shapeOf('render', optional('width', { whole: WIDTH }), optional('signal', 'signal')),
+  frameCall: shapeOf('The frame', optional('signal', 'signal')),
   checkedOn: shapeOf('check', ...PLANNING.fields.filter(({ name }) => name === 'machine')),
   sampleProgram: shapeOf('sampleProgram', ...PLANNING.fields.filter(({ name }) => name === 'machine')),
   check: shapeOf('check', ...PLANNING.fields.filter(({ name }) => name === 'machine'), optional('signal', 'signal')),

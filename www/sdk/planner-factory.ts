@@ -1,6 +1,6 @@
 /** Makes the function `createPlanner` of an entry point. Entry points differ in how they read the wasm and start a worker. */
 
-import type { Places } from './places.js';
+import { wasmAt, type Places } from './places.js';
 import { Planner, type PlannerOptions } from './planner.js';
 import type { StartWorker } from './worker-connection.js';
 import { loadedFile } from './wasm-file.js';
@@ -24,7 +24,7 @@ export interface Platform {
 export function plannerFactory(platform: Platform): (options: PlannerOptions) => Promise<Planner> {
   const shared = new Map<string, Promise<WasmModule>>();
   const read = (places: Places): Promise<WasmModule> => {
-    const place = String(places.wasmUrl ?? places.locate?.('kerfway_bg.wasm') ?? '');
+    const place = String(wasmAt(places) ?? '');
     const compiled = shared.get(place) ?? platform.read(places);
     shared.set(place, compiled);
     // A file that could not be loaded is asked for again by the next planner.

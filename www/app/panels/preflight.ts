@@ -27,6 +27,8 @@ interface Checked {
   unchecked?: string;
   refused?: string;
   report?: ProgramCheck;
+  /** The report is of the path before: a better one was found, and its program is being checked. */
+  isBefore?: boolean;
 }
 
 /** `refuse` gets why the program is not handed out; nothing if it may be. */
@@ -46,14 +48,15 @@ export function preflight(session: Session, refuse: (why: string) => void): HTML
 
   const show = (known: Known) => {
     root.hidden = known === 'nothing';
-    const { unchecked, refused, report }: Checked = typeof known === 'string' ? {} : known;
+    const { unchecked, refused, report, isBefore = false }: Checked = typeof known === 'string' ? {} : known;
     const fails = known === 'off-bed' || refused !== undefined || report?.passed === false;
     const reason = known === 'off-bed' ? words.dock.offBed : words.preflight.fails;
     root.classList.toggle('fails', fails);
     root.classList.toggle('unchecked', unchecked !== undefined);
     if (unchecked !== undefined) verdict.replaceChildren(words.preflight.unchecked);
     else verdict.replaceChildren(icon(fails ? 'warning' : 'check'), fails ? reason : words.preflight.passes);
-    facts.textContent = report ? unbroken(factsOf(report, session.state).join('\u00a0· ')) : (refused ?? unchecked ?? '');
+    root.setAttribute('aria-busy', String(isBefore));
+    facts.textContent = isBefore ? words.preflight.again : report ? unbroken(factsOf(report, session.state).join('\u00a0· ')) : (refused ?? unchecked ?? '');
     const list = report?.problems ?? [];
     problems.replaceChildren(...list.slice(0, LISTED).map((p) => h('li', { class: p.severity }, p.count > 1 ? words.preflight.more(inChosenUnit(p.message), count(p.count - 1)) : inChosenUnit(p.message))));
     // What is not checked yet is checked while it is written, and is not handed out if it fails.
@@ -69,16 +72,17 @@ export function preflight(session: Session, refuse: (why: string) => void): HTML
       return show('nothing');
     }
     if (isRefusedOffBed(session.state, 'gcode')) return show('off-bed');
-    if (!report) show({ unchecked: words.preflight.soon });
+    show(report ? { report, isBefore: true } : { unchecked: words.preflight.soon });
     const checked = job;
     // One after the other: a prover finds better plans faster than their programs are checked.
     await running;
     if (!isLatest()) return;
     running = session.preflight().then(
-      (made) => checked === job && show({ report: (report = made) }),
+      (made) => checked === job && show({ report: (report = made), isBefore: !isLatest() }),
       (error: unknown) => {
         // While a choice is being applied, nothing is wrong with the program: there is none.
         if (checked !== job || session.state.applying) return;
+        report = undefined;
         const isLost = isKerfwayError(error) && error.code === 'not-started';
         show(isLost ? { unchecked: messageOf(error) } : { refused: messageOf(error) });
       },

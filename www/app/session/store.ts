@@ -141,7 +141,7 @@ export class Store extends Emitter<Events> {
 
   /** The search continues with a plan that was done; `budget` counts from its start, s. */
   planningContinued(budget: number): void {
-    this.update({ phase: 'planning', error: null, reason: null, budget });
+    this.update({ ...this.entered('planning'), error: null, reason: null, budget });
   }
 
   /** The planner has prepared the search. */
@@ -193,7 +193,7 @@ export class Store extends Emitter<Events> {
     this.update({ ...this.entered('ready'), error, ...noPlan() });
   }
 
-  /** The phase that the search enters; while another file is being read it is the one to come back to. */
+  /** The phase that the plan enters; while another file is being read it is the one to come back to. */
   private entered(phase: Phase): Partial<State> {
     if (this.current.phase !== 'reading') return { phase };
     this.beneath = phase;

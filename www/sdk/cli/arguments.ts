@@ -120,7 +120,7 @@ export function loadOptions(values: Values): LoadOptions {
   }
   for (const [name, list] of [['sequence', 'sequences'], ['together', 'together']] as const) {
     const lists = (values[name] as string[] | undefined) ?? [];
-    if (lists.length > 0) options[list] = lists.map((words) => words.split(',').map((word) => wholeNumber(name, word)));
+    if (lists.length > 0) options[list] = lists.map((given) => given.split(',').map((word) => wholeNumber(name, word, given)));
   }
   const joints = (values['joint-at'] as string[] | undefined) ?? [];
   if (joints.length > 0) options.joints = joints.map(jointChoice);
@@ -135,11 +135,11 @@ function contourChoices(values: Values): ContourChoice[] {
   const take = (option: string, word: string, choice: (value: string) => Partial<ContourChoice>) => {
     const [id = '', value = '', more] = word.split('=');
     if (value === '' || more !== undefined) throw new WrongUse(`--${option} ${word}: give the id of a contour and a value, as 3=${{ 'lead-of': 'arc', 'corners-of': 'loop' }[option] ?? '2'}.`);
-    const contour = wholeNumber(option, id);
+    const contour = wholeNumber(option, id, word);
     choices.set(contour, { ...choices.get(contour), contour, ...choice(value) });
   };
   for (const option of ['joints-of', 'corners-of', 'lead-of']) chosenOnce(option, (values[option] as string[] | undefined) ?? [], beforeEquals);
-  for (const word of (values['joints-of'] as string[] | undefined) ?? []) take('joints-of', word, (value) => ({ joints: wholeNumber('joints-of', value) }));
+  for (const word of (values['joints-of'] as string[] | undefined) ?? []) take('joints-of', word, (value) => ({ joints: wholeNumber('joints-of', value, word) }));
   for (const word of (values['corners-of'] as string[] | undefined) ?? []) take('corners-of', word, (value) => ({ corners: oneOf('--corners-of', value, CORNER_KINDS) }));
   for (const word of (values['lead-of'] as string[] | undefined) ?? []) take('lead-of', word, (value) => ({ lead: oneOf('--lead-of', value, [...LEAD_KINDS, 'center'] as const) }));
   return [...choices.values()];
@@ -150,7 +150,7 @@ function jointChoice(word: string): { contour: number; at: number } {
   const [id = '', share = '', more] = word.split('@');
   const at = share.trim() === '' ? NaN : Number(share);
   if (more !== undefined || !(at >= 0 && at <= 1)) throw new WrongUse(`--joint-at ${word}: give the id of a contour and a share of its length from 0 to 1, as 3@0.25.`);
-  return { contour: wholeNumber('joint-at', id), at };
+  return { contour: wholeNumber('joint-at', id, word), at };
 }
 
 /** Where the job lies on the bed. */
@@ -244,10 +244,12 @@ export function whole(values: Values, name: string): number | undefined {
   return word === undefined ? undefined : wholeNumber(name, word);
 }
 
-function wholeNumber(name: string, word: string): number {
+/** `given`: what was given for the option, if the number is a part of it. */
+function wholeNumber(name: string, word: string, given = word): number {
   const n = Number(word);
   if (!/^\d+$/.test(word) || !Number.isSafeInteger(n)) {
-    throw new WrongUse(`--${name} ${word}: give a whole number from 0 to ${Number.MAX_SAFE_INTEGER}.`);
+    const rule = given === word ? 'give a' : `"${word}" is no`;
+    throw new WrongUse(`--${name} ${given}: ${rule} whole number from 0 to ${Number.MAX_SAFE_INTEGER}.`);
   }
   return n;
 }

@@ -1,12 +1,11 @@
 /** `kerfway check`: reads G-code programs back and says what they would do on a machine. */
 
-import { basename } from 'node:path';
 import { createPlanner } from '../node.js';
 import type { CheckProblem, MachineProfile, ProgramCheck } from '../protocol.js';
 import { parsed } from './arguments.js';
 import { eachFile } from './batch.js';
 import { outputsOf } from './destinations.js';
-import { bytesOf, Unusable, usable } from './io.js';
+import { bytesOf, nameOf, subject, Unusable, usable } from './io.js';
 import { machineFiles, machineOf } from './machine.js';
 import type { Column } from './report.js';
 import { duration, meters, plural } from '../words.js';
@@ -21,10 +20,10 @@ export async function check(args: string[]): Promise<void> {
     await eachFile(given, { outputs, columns: COLUMNS, inputs: machineFiles(given, planner) }, async (file, place, to) => {
       const program = new TextDecoder().decode(await bytesOf(file));
       const report = await usable(file, planner.check(program, { machine }));
-      await to.write(file, outputs.map((output) => ({ output, data: `${JSON.stringify({ name: basename(file), ...report })}\n` })));
+      await to.write(file, outputs.map((output) => ({ output, data: `${JSON.stringify({ name: nameOf(file), ...report })}\n` })));
       if (!piped || place.of > 1) await to.report(place, () => lines(file, report, machine), () => row(file, report));
       const first = report.problems.find(isError);
-      if (first !== undefined) throw new Unusable(`${file} fails: ${first.message}`, null);
+      if (first !== undefined) throw new Unusable(`${subject(file)} fails: ${first.message}`, null);
     });
   } finally {
     planner.close();
@@ -50,7 +49,7 @@ function lines(file: string, report: ProgramCheck, machine: MachineProfile): str
   const reach = bounds === null ? '' : `x ${bounds[0].toFixed(1)} to ${bounds[2].toFixed(1)}, y ${bounds[1].toFixed(1)} to ${bounds[3].toFixed(1)} mm`;
   const bed = fits_bed === null ? 'the bed of this machine is not known' : fits_bed ? 'on the bed' : 'off the bed';
   return [
-    `${basename(file)}: ${passed ? 'passes' : 'fails'}, read as ${report.dialect} on ${machine.name}`,
+    `${nameOf(file)}: ${passed ? 'passes' : 'fails'}, read as ${report.dialect} on ${machine.name}`,
     contours === 0 ? 'Contours   none' : `Contours   ${plural(contours, 'contour')}, ${times}; ${plural(parts, 'part')}, ${plural(pierces, 'piercing')}`,
     `Length     ${meters(cut_length)} to cut, ${meters(air_length)} of air moves`,
     `Time       ${duration(seconds)}`,

@@ -1,5 +1,6 @@
 /** Reads files, writes streams, and defines the two ways in which a command can fail. `atomic.ts` writes output files. */
 
+import { fstatSync } from 'node:fs';
 import { open, writeFile, type FileHandle } from 'node:fs/promises';
 import { KerfwayError, reportOf } from '../errors.js';
 import type { ErrorReport } from '../generated/types.js';
@@ -60,6 +61,7 @@ const CAUSES: Record<string, Cause> = {
   ENAMETOOLONG: { why: 'its name is too long', remedy: 'Give it a shorter name.' },
   EACCES: NO_PERMISSION,
   EPERM: NO_PERMISSION,
+  EBADF: { why: 'it is not open for that', remedy: ELSEWHERE },
   EBUSY: { why: 'another program holds it, or it is a mount of its own', remedy: ELSEWHERE },
   EROFS: { why: 'the disk can only be read', remedy: ELSEWHERE },
   ENOSPC: { why: 'the disk is full', remedy: ROOM },
@@ -79,41 +81,49 @@ export function nameOf(file: string): string {
   return file === STANDARD_INPUT ? 'standard input' : basename(file);
 }
 
+/** A file that is read, at the beginning of a sentence. */
+export function subject(file: string): string {
+  return file === STANDARD_INPUT ? 'Standard input' : file;
+}
+
+/** What comes a second time from standard input is empty. */
+let standardInputIsRead = false;
+
 /** Reads a file, or standard input (`-`). A file above the size limit is not read to its end. */
 export async function bytesOf(file: string): Promise<Uint8Array> {
-  if (file === STANDARD_INPUT) {
-    const bytes = await upToLimit(process.stdin);
-    if (bytes === null) throw new Unusable(`Standard input: ${endless()}`);
-    return bytes;
-  }
   let handle: FileHandle | undefined;
   try {
+    if (file === STANDARD_INPUT) {
+      // Node's stream of a folder is empty.
+      if (standardInputIsRead) throw new Unusable('Standard input was read already: name one of the files that are read from it.');
+      standardInputIsRead = true;
+      if (fstatSync(0).isDirectory()) throw Object.assign(new Error(), { code: 'EISDIR' });
+      return await upToLimit(file, process.stdin);
+    }
     handle = await open(file);
     const stat = await handle.stat();
     const refused = tooLarge(stat.size);
     if (refused !== null) throw new Unusable(`${file}: ${refused}`);
     // Pipes, devices and the files of /proc have no size before they are read.
     if (stat.isFile() && stat.size > 0) return await handle.readFile();
-    const bytes = await upToLimit(handle.createReadStream({ autoClose: false }));
-    if (bytes === null) throw new Unusable(`${file}: ${endless()}`);
-    return bytes;
+    return await upToLimit(file, handle.createReadStream({ autoClose: false }));
   } catch (error) {
     if (error instanceof Unusable) throw error;
     if (isPattern(file) && (error as NodeJS.ErrnoException).code === 'ENOENT') throw new Unusable(`No file matches the pattern ${file}.`);
-    throw new Unusable(`${file} cannot be read: ${cause(error, 'read').why}.`);
+    throw new Unusable(`${subject(file)} cannot be read: ${cause(error, 'read').why}.`);
   } finally {
     await handle?.close();
   }
 }
 
-/** Reads a stream to its end; `null` if it is longer than the size limit. */
-async function upToLimit(stream: AsyncIterable<unknown>): Promise<Uint8Array | null> {
+/** Reads the stream of a file to its end. */
+async function upToLimit(file: string, stream: AsyncIterable<unknown>): Promise<Uint8Array> {
   const chunks: Uint8Array[] = [];
   let length = 0;
   for await (const chunk of stream as AsyncIterable<Uint8Array>) {
     chunks.push(chunk);
     length += chunk.length;
-    if (length > MAX_BYTES) return null;
+    if (length > MAX_BYTES) throw new Unusable(`${subject(file)}: ${endless()}`);
   }
   return Buffer.concat(chunks);
 }
@@ -164,6 +174,6 @@ export async function usable<T>(file: string, work: Promise<T>, written = (sente
     const report = reportOf(error);
     // The core does not know by what name the option is given here.
     const option = report.code === 'off-bed' ? ' (--allow-off-bed)' : '';
-    throw new Unusable(`${file === STANDARD_INPUT ? 'Standard input' : file}: ${written((error as Error).message)}${option}`, report);
+    throw new Unusable(`${subject(file)}: ${written((error as Error).message)}${option}`, report);
   }
 }

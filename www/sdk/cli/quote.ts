@@ -10,7 +10,7 @@ import type { Stock } from '../sheets.js';
 import { parsed, positive, text, type Words } from './arguments.js';
 import { checkedAsWritten } from './as-written.js';
 import { outputsOf } from './destinations.js';
-import { bytesOf, Unusable, usable, WrongUse } from './io.js';
+import { bytesOf, subject, Unusable, usable, WrongUse } from './io.js';
 import { planFiles } from './planning.js';
 import type { Column } from './report.js';
 import { savingLines, savingsOf } from './savings.js';
@@ -117,7 +117,7 @@ async function limitsOf({ values }: Words): Promise<{ limits?: Limits }> {
     checkOptions({ limits }, 'terms');
     return { limits };
   } catch (error) {
-    throw new Unusable(error instanceof SyntaxError ? `${file} is not JSON: limits are an object like {"smallest_hole": 3}.` : `${file}: ${(error as Error).message}`, reportOf(error));
+    throw new Unusable(error instanceof SyntaxError ? `${subject(file)} is not JSON: limits are an object like {"smallest_hole": 3}.` : `${subject(file)}: ${(error as Error).message}`, reportOf(error));
   }
 }
 

@@ -1,11 +1,10 @@
 /** `kerfway solve`: solves a benchmark instance (TSPLIB, GTSPLIB, PCGTSP) with the default method. */
 
-import { basename } from 'node:path';
 import { oneWord, parsed, seconds, whole } from './arguments.js';
 import { DEFAULT_SECONDS } from '../options.js';
 import { Destinations, outputsOf } from './destinations.js';
 import { untilInterrupted } from './interrupt.js';
-import { bytesOf, Unusable } from './io.js';
+import { bytesOf, nameOf, subject, Unusable } from './io.js';
 import { say } from './report.js';
 import { loadedResearch } from './research.js';
 import { elapsed, percentAtMost, plural } from '../words.js';
@@ -38,7 +37,7 @@ export async function solve(args: string[]): Promise<void> {
   const data = `${JSON.stringify(found)}\n`;
   await destinations.write(file, outputs.map((output) => ({ output, data })));
   await say([
-    `${basename(file)}: length ${found.length}, ${found.tour.length} stops; ${proven(found)}`,
+    `${nameOf(file)}: length ${found.length}, ${found.tour.length} stops; ${proven(found)}`,
     `Search     seed ${seed}, ${plural(found.moves, 'move')} in ${elapsed(found.seconds)}`,
   ], destinations.piped);
 }
@@ -58,7 +57,7 @@ async function searched(file: string, seed: number, moves: number, limit: number
   try {
     solving = new research.Solving(bytes, seed);
   } catch (error) {
-    throw new Unusable(`${file}: ${(error as Error).message}`);
+    throw new Unusable(`${subject(file)}: ${(error as Error).message}`);
   }
   let interrupted = false;
   await untilInterrupted(() => (interrupted = true), async () => {

@@ -5,7 +5,7 @@ import { createPlanner } from '../node.js';
 import type { MachineProfile, Verified } from '../protocol.js';
 import { parsed, text, type Words } from './arguments.js';
 import { Destinations, outputsOf } from './destinations.js';
-import { bytesOf, Unusable, WrongUse } from './io.js';
+import { bytesOf, subject, Unusable, WrongUse } from './io.js';
 import { machineFiles, machineOf } from './machine.js';
 import { say } from './report.js';
 import { loadedResearch } from './research.js';
@@ -26,7 +26,7 @@ export async function verify(args: string[]): Promise<void> {
   try {
     verified = research.verifyCertificate(certificate, bytes, machine);
   } catch (error) {
-    throw new Unusable(`${file} proves nothing: ${(error as Error).message}`);
+    throw new Unusable(`${subject(file)} proves nothing: ${(error as Error).message}`);
   }
   await destinations.write(file, outputs.map((output) => ({ output, data: `${JSON.stringify(verified)}\n` })));
   if (given.values['quiet'] !== true) await say(lines(verified), destinations.piped);
@@ -49,7 +49,7 @@ function besideCertificate(file: string, certificate: string): string {
   try {
     return join(dirname(file), JSON.parse(name ?? '') as string);
   } catch {
-    throw new Unusable(`${file} names no drawing: either it is no certificate, or give its drawing after it.`);
+    throw new Unusable(`${subject(file)} names no drawing: either it is no certificate, or give its drawing after it.`);
   }
 }
 

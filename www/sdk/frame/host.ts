@@ -15,12 +15,14 @@
 
 import { readBytes, viewed, type Bytes } from '../bytes.js';
 import { checkOne, isRecord, shown } from '../check.js';
-import { ClosedError, KerfwayError } from '../errors.js';
+import { KerfwayError } from '../errors.js';
 import type { Planned } from '../functions.js';
-import { checkOptions, type PlanningOptions } from '../options.js';
+import { checkOptions, type JobOptions, type PlanningOptions, type RenderOptions } from '../options.js';
 import type { MachineProfile, MethodInfo } from '../protocol.js';
 import type { Material, Quote } from '../quote.js';
-import { KINDS, LONGEST_NAME, MARK, type FromFrame, type Kind, type Marked, type Pace, type ToFrame } from './messages.js';
+import { abortable } from '../with-planner.js';
+import { Connection } from './connection.js';
+import { KINDS, LONGEST_NAME, type Kind, type Pace } from './messages.js';
 
 export type { Kind, Pace } from './messages.js';
 
@@ -40,30 +42,29 @@ export interface FrameListener {
   onError?: (message: string, error: KerfwayError) => void;
 }
 
-/** The connection of a host to its frame. */
+/** Options of a call. An abort rejects it at once with the signal's reason, and ends its search in the frame as `stop` does. */
+export type FrameCallOptions = Pick<JobOptions, 'signal'>;
+
+/**
+ * The connection of a host to its frame. Calls to a frame that is silent reject: with the code `not-started` after 120 seconds without a sign of its
+ * page or planner, later with `planner-died` after 300 seconds.
+ */
 export interface FrameConnection {
   /** Sets how drawings are read and planned, including those that a person drops. Throws one sentence when an option is unusable. */
   setOptions(options: PlanningOptions): void;
   /** Plans a drawing in the frame. Rejects with one sentence when it is unusable, another drawing is opened, or the frame is loaded again. */
-  open(bytes: Bytes, name: string): Promise<Planned<'gcode'>>;
+  open(bytes: Bytes, name: string, options?: FrameCallOptions): Promise<Planned<'gcode'>>;
   /** Quotes a drawing in a frame with `show=quote` in its address. */
-  quote(bytes: Bytes, name: string): Promise<Quote>;
+  quote(bytes: Bytes, name: string, options?: FrameCallOptions): Promise<Quote>;
   /** Sets the material of the sheet for quotes. */
   setMaterial(material: Material): void;
   /** Ends the running search and keeps the best plan. */
   stop(): void;
   /** Writes the finished plan in another format: as text, or as the bytes of a PNG. */
-  render(kind: Kind, options?: { width?: number }): Promise<string | Uint8Array>;
+  render(kind: Kind, options?: RenderOptions): Promise<string | Uint8Array>;
   /** Ends the connection. Calls that wait for an answer are rejected, and so are later ones. */
   disconnect(): void;
 }
-
-interface Request {
-  resolve: (value: never) => void;
-  reject: (error: Error) => void;
-}
-
-const DISCONNECTED = 'The frame was disconnected.';
 
 /**
  * Connects to a frame whose address is set; it need not be loaded yet. Messages that are sent before it is ready are delivered later. Throws a
@@ -75,112 +76,35 @@ export function connectFrame(iframe: HTMLIFrameElement, listener: FrameListener 
   }
   const callbacks: unknown = listener;
   if (!isRecord(callbacks)) throw new KerfwayError('wrong-type', `The listener is ${shown(callbacks)}. Give an object with callbacks.`, { field: 'listener' });
-  const { origin } = new URL(iframe.src, location.href);
-  const requests = new Map<number, Request>();
-  let lastId = 0;
-  /** Messages for a frame that is not ready yet; `null` afterwards. */
-  let early: ToFrame[] | null = [];
-  /** The page that is ready in the frame: it may be loaded again. */
-  let page: number | null = null;
-  /** The latest options and material, which a page that is loaded again does not have. */
-  const settings = new Map<'options' | 'material', ToFrame>();
-  let connected = true;
-
-  const post = (message: ToFrame) => iframe.contentWindow?.postMessage({ ...message, kerfway: MARK }, origin);
-  const send = (message: ToFrame) => {
-    if (!connected) return;
-    if (message.type === 'options' || message.type === 'material') settings.set(message.type, message);
-    if (early === null) post(message);
-    else early.push(message);
-  };
-  const ask = <T>(message: (id: number) => ToFrame): Promise<T> =>
-    new Promise((resolve, reject) => {
-      if (!connected) throw new ClosedError(DISCONNECTED);
-      const id = ++lastId;
-      requests.set(id, { resolve, reject });
-      send(message(id));
-    });
-  const settle = (id: number, how: (request: Request) => void) => {
-    const request = requests.get(id);
-    requests.delete(id);
-    if (request !== undefined) how(request);
-  };
-  const rejectAll = (error: KerfwayError) => {
-    for (const id of [...requests.keys()]) settle(id, ({ reject }) => reject(error));
-  };
-  // Whatever the frame would ignore is refused here, because such a call would never settle.
-  const openFile = async <T>(given: Bytes, name: string): Promise<T> => {
+  const connection = new Connection(iframe, listener);
+  // Whatever the frame would ignore is refused here, because nothing would answer it.
+  const openFile = async <T>(given: Bytes, name: string, options: FrameCallOptions = {}): Promise<T> => {
     checkOne('The option', 'name', 'text', name);
     if (name.length === 0 || name.length > LONGEST_NAME) {
       throw new KerfwayError('out-of-range', `The option "name" has ${name.length} characters. Give 1 to ${LONGEST_NAME}.`, { field: 'name', value: name.slice(0, LONGEST_NAME), least: 1, most: LONGEST_NAME });
     }
+    const { signal } = checkOptions(options, 'frameCall');
     // Bytes that are there already are sent before this call returns, so that they stay in order with other messages.
-    const read = viewed(given) ?? (await readBytes(given)).bytes;
-    // A view may be a part of a larger buffer, or of memory that threads share.
-    const bytes = read instanceof ArrayBuffer ? read : (ArrayBuffer.isView(read) ? read : new Uint8Array(read)).slice().buffer;
-    return ask<T>((id) => ({ type: 'open', id, bytes, name }));
+    const bytes = ownBuffer(viewed(given) ?? (await abortable(readBytes(given), signal)).bytes);
+    return connection.ask<T>((id) => ({ type: 'open', id, bytes, name }), signal);
   };
-  const priceOf = async (quote: Quote) => {
-    try {
-      return String((await listener.price?.(quote)) ?? '');
-    } catch (error) {
-      console.error(error);
-      return '';
-    }
-  };
-  const receive = (message: FromFrame) => {
-    switch (message.type) {
-      case 'ready': {
-        // A page says this again when it is greeted again.
-        if (early === null && message.page === page) return;
-        if (early === null) rejectAll(new KerfwayError('planner-died', 'The frame was loaded again before its answer. Open the drawing again.'));
-        (early ?? [...settings.values()]).forEach(post);
-        [early, page] = [null, message.page];
-        listener.onReady?.({ machines: message.machines, methods: message.methods });
-        return;
-      }
-      case 'progress':
-        return listener.onProgress?.(message.progress);
-      case 'result':
-        return listener.onResult?.(message.result);
-      case 'quoted':
-        return listener.onQuote?.(message.quote);
-      case 'price':
-        return void priceOf(message.quote).then((text) => post({ type: 'priced', id: message.id, text }));
-      case 'error':
-        return listener.onError?.(message.error.message, KerfwayError.of(message.error));
-      case 'answer':
-        return settle(message.id, ({ resolve }) => resolve(message.value as never));
-      case 'refused':
-        return settle(message.id, ({ reject }) => reject(KerfwayError.of(message.error)));
-    }
-  };
-  const listen = (event: MessageEvent<Marked<FromFrame> | null>) => {
-    if (event.source === iframe.contentWindow && event.origin === origin && event.data?.kerfway === MARK) receive(event.data);
-  };
-  // The page in the frame may be another one by now. This message may go to any origin, because it contains nothing.
-  const greet = () => iframe.contentWindow?.postMessage({ type: 'hello', kerfway: MARK }, '*');
-
-  window.addEventListener('message', listen);
-  iframe.addEventListener('load', greet);
-  greet();
   return {
-    setOptions: (options) => send({ type: 'options', options: checkOptions(options, 'readingAndPlanning') }),
+    setOptions: (options) => connection.send({ type: 'options', options: checkOptions(options, 'readingAndPlanning') }),
     open: openFile,
     quote: openFile,
     // One that is undefined is no material either, and the frame would ignore the message.
-    setMaterial: (material) => send({ type: 'material', ...checkOptions({ material: material ?? (null as never) }, 'terms') }),
-    stop: () => send({ type: 'stop' }),
+    setMaterial: (material) => connection.send({ type: 'material', ...checkOptions({ material: material ?? (null as never) }, 'terms') }),
+    stop: () => connection.send({ type: 'stop' }),
     render: async (kind, options = {}) => {
       checkOne('The option', 'kind', { choice: KINDS }, kind);
-      const { width } = checkOptions(options, 'render');
-      return ask((id) => ({ type: 'render', id, kind, width: width ?? null }));
+      const { width, signal } = checkOptions(options, 'render');
+      return connection.ask((id) => ({ type: 'render', id, kind, width: width ?? null }), signal);
     },
-    disconnect: () => {
-      connected = false;
-      window.removeEventListener('message', listen);
-      iframe.removeEventListener('load', greet);
-      rejectAll(new ClosedError(DISCONNECTED));
-    },
+    disconnect: () => connection.close(),
   };
+}
+
+/** The bytes as a buffer to send: a view may be a part of a larger buffer, or of memory that threads share. */
+function ownBuffer(read: ArrayBuffer | Uint8Array): ArrayBuffer {
+  return read instanceof ArrayBuffer ? read : new Uint8Array(read).buffer;
 }

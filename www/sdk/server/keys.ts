@@ -16,6 +16,7 @@ export function keysIn(text: string): Map<string, string> {
     if (key === '' || line.trim().startsWith('#')) continue;
     if (words.length > 2) throw new KerfwayError('wrong-usage', `Line ${k + 1} of the keys has ${words.length} words. Write KEY, or NAME KEY.`);
     if (key.length < SHORTEST) throw new KerfwayError('wrong-usage', `The key in line ${k + 1} has ${key.length} characters. Give at least ${SHORTEST}.`);
+    if (keys.has(hashed(key))) throw new KerfwayError('wrong-usage', `The key in line ${k + 1} is in a line before, too. Give each key once.`);
     keys.set(hashed(key), words.length === 2 ? (words[0] ?? '') : `line ${k + 1}`);
   }
   if (keys.size === 0) throw new KerfwayError('wrong-usage', 'The file of keys has no key.');

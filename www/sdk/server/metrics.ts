@@ -23,10 +23,11 @@ export class Metrics {
 
   constructor(private readonly gauges: Gauges) {}
 
-  /** Counts an answered request. `route` is one of a fixed list, so that senders cannot add series. */
-  answered(route: string, status: number, seconds: number, code: string | null): void {
+  /** Counts an answered request. `route` is one of a fixed list, so that senders cannot add series. `seconds`: null if its begin is not known. */
+  answered(route: string, status: number, seconds: number | null, code: string | null): void {
     add(this.requests, `route="${route}",status="${status}"`, 1);
     if (code !== null) add(this.errors, `code="${code}"`, 1);
+    if (seconds === null) return;
     const d = this.durations.get(route) ?? { counts: BOUNDS.map(() => 0), sum: 0, count: 0 };
     BOUNDS.forEach((bound, k) => {
       if (seconds <= bound) d.counts[k] = (d.counts[k] ?? 0) + 1;

@@ -3,10 +3,10 @@
  * the form or the query, or one by one in the query (`machine=co2-100w&material.thickness=3`).
  */
 
-import type { Field, Kind } from '../check.js';
+import { check, optional, type Field, type Kind } from '../check.js';
 import { KerfwayError } from '../errors.js';
 import { SHAPES } from '../fields.js';
-import { checkOptions, DEFAULT_SECONDS, OUTPUTS } from '../options.js';
+import { DEFAULT_SECONDS, OUTPUTS } from '../options.js';
 import type { OutputKind } from '../protocol.js';
 import type { ServerSettings } from './settings.js';
 
@@ -15,7 +15,7 @@ export const JOB_KINDS = ['inspect', 'plan', 'quote'] as const;
 export type JobKind = (typeof JOB_KINDS)[number];
 
 /** Options that a request must not choose: they decide about the service's own computer, or make no sense over HTTP. */
-const NOT_FOR_REQUESTS = ['workers', 'member', 'warm'];
+const NOT_FOR_REQUESTS = ['workers', 'member', 'warm', 'signal', 'onLoaded', 'onProgress'];
 
 /** The fields that a request of each kind may have. */
 export function fieldsOf(kind: JobKind): readonly Field[] {
@@ -29,7 +29,7 @@ export function fieldsOf(kind: JobKind): readonly Field[] {
 }
 
 /** Parameters of the query that are no options of the package. */
-const OWN = ['name', 'options', 'thumbnails', 'acceptGuess'];
+const OWN: Record<JobKind, readonly string[]> = { inspect: ['name', 'options', 'thumbnails'], plan: ['name', 'options', 'acceptGuess'], quote: ['name', 'options'] };
 
 /** The options of a request, checked. */
 export function requestOptions(kind: JobKind, query: URLSearchParams, form: ReadonlyMap<string, string>, settings: ServerSettings): Record<string, unknown> {
@@ -45,13 +45,13 @@ export function requestOptions(kind: JobKind, query: URLSearchParams, form: Read
       const again = known.has(name);
       if (again && !holdsLists(fields.find((f) => f.name === name)?.kind)) throw givenTwice(name, name);
       known.add(name);
-      if (OWN.includes(name)) continue;
+      if (OWN[kind].includes(name)) continue;
       set(options, fields, name.split('.'), text, { path: name, again });
     }
   }
   const strange = NOT_FOR_REQUESTS.find((name) => Object.hasOwn(options, name));
   if (strange !== undefined) throw new KerfwayError('unknown-field', `${kind} has no option "${strange}" in this service.`, { field: strange });
-  checkOptions(options, kind);
+  check({ owner: kind, item: 'option', value: 'The option', fields: [...fields, optional('name', 'text')] }, options);
   atMost(options, 'seconds', settings.mostSeconds, 's');
   atMost(options, 'moves', settings.mostMoves, '');
   if (kind === 'plan' && isUnbudgeted(options)) options['seconds'] = Math.min(DEFAULT_SECONDS, settings.mostSeconds);

@@ -54,7 +54,11 @@ interface Reply {
 class HttpService {
   private readonly server: Server;
   private readonly metrics: Metrics;
+  /** Whether the rest of a request could not be read, so that it has an answer. */
+  private readonly wasUnreadable: ReturnType<typeof answerUnreadable>;
   private readonly running = new Set<AbortController>();
+  /** The names of the keys that requests were sent with. */
+  private readonly keys = new WeakMap<IncomingMessage, string>();
   /** The requests whose drawing is arriving, or is being put into the queue. */
   private arriving = 0;
   private stopping = false;
@@ -71,7 +75,12 @@ class HttpService {
     this.server = createServer({ requireHostHeader: false, headersTimeout: HEADERS_TIMEOUT, requestTimeout: Math.round((settings.upload + 30) * 1000), keepAliveTimeout: 5_000 }, (request, response) => {
       void this.handle(request, response);
     });
-    answerUnreadable(this.server, log);
+    // Node would answer an expectation that it does not know with a bare 417. Such a request is answered like any other.
+    this.server.on('checkExpectation', (request, response) => this.server.emit('request', request, response));
+    this.wasUnreadable = answerUnreadable(this.server, (status, code, cause) => {
+      this.metrics.answered('unreadable', status, null, code);
+      this.log('info', 'unreadable', { status, code, cause });
+    });
   }
 
   async start(): Promise<Service> {
@@ -119,12 +128,14 @@ class HttpService {
     } catch (error) {
       reply = this.failed(error, gone.signal);
     }
+    if (this.wasUnreadable(request.socket)) return;
     if (gone.signal.aborted && reportOf(gone.signal.reason).code === 'closed') reply = { ...reply, status: CLIENT_LEFT };
     this.send(request, response, reply);
     const seconds = (performance.now() - begun) / 1000;
     this.metrics.answered(route, reply.status, seconds, reply.code ?? null);
     const level = reply.status >= 500 ? 'error' : 'info';
-    this.log(level, 'request', { method: request.method, route, status: reply.status, ms: Math.round(seconds * 1000), ...(reply.code === undefined ? {} : { code: reply.code }) });
+    const [code, key] = [reply.code, this.keys.get(request)];
+    this.log(level, 'request', { method: request.method, route, status: reply.status, ms: Math.round(seconds * 1000), ...(code !== undefined && { code }), ...(key !== undefined && { key }) });
   }
 
   private async reply(request: IncomingMessage, url: URL, route: string, gone: AbortController): Promise<Reply> {
@@ -134,7 +145,8 @@ class HttpService {
     if (request.method !== method && !(method === 'GET' && request.method === 'HEAD')) throw new KerfwayError('method-not-allowed', `This address answers ${method}.`, { allow: method });
     if (route === 'healthz') return this.health();
     if (route === 'openapi') return ok(openapi(this.version, this.settings));
-    keyOf(request, this.settings.keys);
+    const key = keyOf(request, this.settings.keys);
+    if (key !== null) this.keys.set(request, key);
     if (route === 'metrics') return { status: 200, body: this.metrics.text(), type: 'text/plain; version=0.0.4; charset=utf-8' };
     if (route === 'jobs') return this.job(url.pathname.slice('/jobs/'.length), gone);
     return this.work(route as JobKind, request, url, gone);

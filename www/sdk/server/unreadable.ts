@@ -1,34 +1,46 @@
 /** Answers what is no request of HTTP with an error in JSON, as everything else: Node would answer without a body. */
 
 import { STATUS_CODES, type Server, type ServerResponse } from 'node:http';
+import type { Socket } from 'node:net';
 import type { Duplex } from 'node:stream';
 import { KerfwayError } from '../errors.js';
-import type { Log } from './log.js';
+import type { ErrorCode } from '../generated/types.js';
 import { statusOf } from './status.js';
 
 /** Milliseconds for which what a refused client still sends is dropped, so that it sees the answer and not a reset. */
 export const DROPPED = 500;
 
-/** What the server does with connections on which no request, or half of one, can be read. */
-export function answerUnreadable(server: Server, log: Log): void {
-  const answers = new WeakMap<Duplex, ServerResponse>();
-  server.on('request', (request, response) => answers.set(request.socket, response));
-  server.on('clientError', (error: NodeJS.ErrnoException, socket) => {
-    const last = answers.get(socket);
-    // Within an answer that has begun there is no room for another.
-    if (!socket.writable || (last?.headersSent && !last.writableFinished)) {
-      socket.destroy();
-      return;
-    }
-    const reason = reasonOf(error);
+/** Hears of every such answer: its status, the code of its error, and what Node calls the cause. */
+type Answered = (status: number, code: ErrorCode, cause: string) => void;
+
+/**
+ * Answers on connections on which no request, or half of one, can be read. The function that it returns says whether a connection was answered so: a
+ * request that had begun on it needs no other answer.
+ */
+export function answerUnreadable(server: Server, answered: Answered): (socket: Duplex) => boolean {
+  const begun = new WeakMap<Duplex, ServerResponse>();
+  const ended = new WeakSet<Duplex>();
+  const end = (socket: Duplex, reason: KerfwayError, cause: string) => {
     const status = statusOf(reason.code);
-    log('info', 'unreadable', { status, code: reason.code, cause: error.code });
+    answered(status, reason.code, cause);
     const body = JSON.stringify({ error: reason });
     const head = [`HTTP/1.1 ${status} ${STATUS_CODES[status]}`, 'connection: close', 'content-type: application/json; charset=utf-8', `content-length: ${Buffer.byteLength(body)}`];
+    ended.add(socket);
     socket.on('data', () => {});
+    socket.on('error', () => {});
     socket.end(`${head.join('\r\n')}\r\n\r\n${body}`);
     setTimeout(() => socket.destroy(), DROPPED).unref();
+  };
+  server.on('request', (request, response) => begun.set(request.socket, response));
+  server.on('clientError', (error: NodeJS.ErrnoException, socket) => {
+    const last = begun.get(socket);
+    // A connection that a browser opens in advance sends nothing, and expects nothing. Within an answer that has begun there is no room for another.
+    if ((socket as Socket).bytesRead === 0 || !socket.writable || (last?.headersSent && !last.writableFinished)) socket.destroy();
+    else end(socket, reasonOf(error), error.code ?? '');
   });
+  // Node would close the connection of one that asks for a tunnel.
+  server.on('connect', (_, socket) => end(socket, new KerfwayError('method-not-allowed', 'This is no proxy: send GET or POST.'), 'CONNECT'));
+  return (socket) => ended.has(socket);
 }
 
 function reasonOf({ code }: NodeJS.ErrnoException): KerfwayError {

@@ -371,7 +371,7 @@ export const de: Words = {
   },
 
   preflight: {
-    title: 'Prüfung des Programms', unchecked: 'Das Programm ist noch nicht geprüft', soon: 'Es wird bald geprüft, oder wenn Sie es herunterladen.',
+    title: 'Prüfung des Programms', unchecked: 'Das Programm ist noch nicht geprüft', soon: 'Es wird bald geprüft, oder wenn Sie es herunterladen.', again: 'Ein besserer Weg wurde gefunden. Sein Programm wird geprüft.',
     passes: 'Das Programm besteht seine Prüfung', fails: 'Das Programm besteht seine Prüfung nicht und wird nicht ausgegeben',
     outlines: (n, w) => counted(n, w, 'geschlossener Umriss', 'geschlossene Umrisse'), once: (n, w) => `${contours(n, w)}, jede einmal geschnitten`,
     times: (n, w, times) => `${contours(n, w)}, jede ${times}-mal geschnitten`, uneven: (n) => `${n} Konturen, nicht alle gleich oft geschnitten`,

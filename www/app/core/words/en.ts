@@ -368,7 +368,7 @@ export const en = {
   },
 
   preflight: {
-    title: 'Check of the program', unchecked: 'The program is not checked yet', soon: 'It is checked soon, or when you download it.',
+    title: 'Check of the program', unchecked: 'The program is not checked yet', soon: 'It is checked soon, or when you download it.', again: 'A better path was found. Its program is being checked.',
     passes: 'The program passes its check', fails: 'The program fails its check and is not handed out',
     /** What encloses a part by itself. A part that lies within a cut of its neighbour has no outline of its own. */
     outlines: (n: number, written: string) => counted(n, written, 'closed outline'), once: (n: number, written: string) => `${counted(n, written, 'contour')}, each cut once`,

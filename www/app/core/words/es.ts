@@ -371,7 +371,7 @@ export const es: Words = {
   },
 
   preflight: {
-    title: 'Comprobación del programa', unchecked: 'El programa aún no está comprobado', soon: 'Se comprueba pronto, o al descargarlo.',
+    title: 'Comprobación del programa', unchecked: 'El programa aún no está comprobado', soon: 'Se comprueba pronto, o al descargarlo.', again: 'Se ha encontrado un recorrido mejor. Se está comprobando su programa.',
     passes: 'El programa pasa su comprobación', fails: 'El programa no pasa su comprobación y no se entrega',
     outlines: (n, w) => counted(n, w, 'contorno exterior cerrado', 'contornos exteriores cerrados'), once: (n, w) => `${contours(n, w)}, cada uno cortado una vez`,
     times: (n, w, times) => `${contours(n, w)}, cada uno cortado ${times} veces`, uneven: (n) => `${n} contornos, no todos cortados las mismas veces`,

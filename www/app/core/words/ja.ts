@@ -368,7 +368,7 @@ export const ja: Words = {
   },
 
   preflight: {
-    title: 'プログラムの検査', unchecked: 'プログラムはまだ検査されていません', soon: 'まもなく、またはダウンロード時に検査します。',
+    title: 'プログラムの検査', unchecked: 'プログラムはまだ検査されていません', soon: 'まもなく、またはダウンロード時に検査します。', again: 'より良い経路が見つかりました。そのプログラムを検査しています。',
     passes: 'プログラムは検査に合格', fails: 'プログラムは検査に不合格のため渡しません',
     outlines: (_n, w) => `閉じた外形 ${w} 個`, once: (n, w) => `${contours(n, w)}、それぞれ 1 回切断`,
     times: (n, w, times) => `${contours(n, w)}、それぞれ ${times} 回切断`, uneven: (n) => `輪郭 ${n} 個、切断回数が揃っていません`,

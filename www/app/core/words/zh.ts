@@ -368,7 +368,7 @@ export const zh: Words = {
   },
 
   preflight: {
-    title: '程序检查', unchecked: '程序尚未检查', soon: '稍后检查，或在您下载时检查。',
+    title: '程序检查', unchecked: '程序尚未检查', soon: '稍后检查，或在您下载时检查。', again: '找到了更好的路径，正在检查它的程序。',
     passes: '程序通过检查', fails: '程序未通过检查，不予输出',
     outlines: (_n, w) => `${w} 个闭合外轮廓`, once: (n, w) => `${contours(n, w)}，各切一次`,
     times: (n, w, times) => `${contours(n, w)}，各切 ${times} 次`, uneven: (n) => `${n} 个轮廓，切割次数不一致`,
