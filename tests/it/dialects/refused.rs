@@ -49,6 +49,15 @@ fn scaled(text: &str, letter: char, factor: f64, lines: impl Fn(&str) -> bool) -
 }
 
 #[test]
+fn a_wait_in_milliseconds_was_reported_with_the_rounding_of_a_division() {
+    let (profile, _, text) = program("marlin-fan");
+    let wait = text.lines().find(|l| l.starts_with("G4 ")).unwrap();
+    let check = output::check(&text.replacen(wait, "G4 P0.105", 1), &profile).unwrap();
+    let told = "waits 0.000105 s; this machine";
+    assert!(check.problems.iter().any(|p| p.message.contains(told)), "{:?}", check.problems);
+}
+
+#[test]
 fn every_mutant_fails_the_preflight() {
     let is_wait = |l: &str| l.starts_with("G4 ");
     for dialect in ["grbl-m4", "grbl-m3", "fluidnc", "grblhal", "linuxcnc-m67", "linuxcnc-spindle"] {

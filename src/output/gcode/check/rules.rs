@@ -8,7 +8,7 @@ use super::words::commands;
 use crate::finding::Severity;
 use crate::machine::Profile;
 use crate::machine::dialect::{Dialect, PierceBy};
-use crate::number::power_of_ten;
+use crate::number::{fixed, power_of_ten};
 
 /// Largest difference of seconds from the plan, as a fraction and in s. Rounding of coordinates and dwells explains less;
 /// a wait in the wrong unit is far more.
@@ -112,6 +112,8 @@ fn wait(
     problems: &mut Problems,
 ) {
     const LONGEST: f64 = 600.0;
+    // Of the shortest waits, without what dividing milliseconds by 1000 adds.
+    const DIGITS: usize = 9;
     let rounding =
         dialect.dwell.as_ref().map_or(1e-3, |d| 0.5 / power_of_ten(d.decimals) / d.unit.per_second());
     let near = |wanted: f64| wanted > 0.0 && (seconds - wanted).abs() <= rounding + 1e-9;
@@ -122,8 +124,9 @@ fn wait(
     if (strict && !of_machine) || !(0.0..=LONGEST).contains(&seconds) {
         problems.error(Code::WaitOutOfRange, Some(line), || {
             format!(
-                "Line {line} waits {seconds} s; this machine pierces in {} s. Look at the unit of the wait (seconds or milliseconds).",
-                profile.pierce_time + profile.beam_on_delay
+                "Line {line} waits {} s; this machine pierces in {} s. Look at the unit of the wait (seconds or milliseconds).",
+                fixed(seconds, DIGITS),
+                fixed(profile.pierce_time + profile.beam_on_delay, DIGITS)
             )
         });
     }
