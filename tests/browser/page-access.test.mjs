@@ -292,3 +292,14 @@ test('the focus stays in the foot where the button that is pressed by keyboard g
   await phase(page, 'done');
   assert.equal(await page.evaluate(() => document.activeElement === document.body), true);
 });
+
+test('the table called contours by their place in the order, as the page calls them by their number', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
+  await phase(page, 'done');
+  await page.keyboard.press('t');
+  const row = page.locator('.rows .order-row').first();
+  await row.waitFor();
+  assert.deepEqual(await row.locator('button').evaluateAll((all) => all.map((b) => b.getAttribute('aria-label'))), ['No. 1, show on the sheet', 'Move no. 1 in the order: drag, or arrow keys']);
+  await row.locator('.row-button').click();
+  await page.locator('.contour strong', { hasText: 'No. 1 of 500' }).waitFor();
+});

@@ -412,7 +412,7 @@ export const de: Words = {
 
   table: {
     title: 'Schneidreihenfolge', rows: 'Zeilen der Schneidreihenfolge', close: 'Die Tabelle schließen', columns: ['Nr.', '', 'Layer', 'Länge', 'Beginnt', 'Einstich', 'Richtung'],
-    show: (n) => `Kontur ${n}, auf der Tafel zeigen`, move: (n) => `Kontur ${n} in der Reihenfolge verschieben: ziehen oder Pfeiltasten`, drag: 'Zum Festlegen Zeilen ziehen', inside: 'Was in einer Kontur liegt, wird vor ihr geschnitten; dorthin lässt sie sich nicht verschieben.',
+    show: (n) => `Nr. ${n}, auf der Tafel zeigen`, move: (n) => `Nr. ${n} in der Reihenfolge verschieben: ziehen oder Pfeiltasten`, drag: 'Zum Festlegen Zeilen ziehen', inside: 'Was in einer Kontur liegt, wird vor ihr geschnitten; dorthin lässt sie sich nicht verschieben.',
     reversed: 'umgekehrt', asDrawn: 'gezeichnet', open: 'offen',
   },
 

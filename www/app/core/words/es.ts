@@ -412,7 +412,7 @@ export const es: Words = {
 
   table: {
     title: 'Orden de corte', rows: 'Filas del orden de corte', close: 'Cerrar la tabla', columns: ['N.º', '', 'Capa', 'Longitud', 'Empieza', 'Perforación', 'Sentido'],
-    show: (n) => `Contorno ${n}, mostrar en la chapa`, move: (n) => `Mover el contorno ${n} en el orden: arrastre o use las flechas`, drag: 'Arrastre filas para fijar su orden', inside: 'Lo que está dentro de un contorno se corta antes que él, así que no se puede mover ahí.',
+    show: (n) => `N.º ${n}, mostrar en la chapa`, move: (n) => `Mover el n.º ${n} en el orden: arrastre o use las flechas`, drag: 'Arrastre filas para fijar su orden', inside: 'Lo que está dentro de un contorno se corta antes que él, así que no se puede mover ahí.',
     reversed: 'inverso', asDrawn: 'según dibujo', open: 'abierto',
   },
 
