@@ -191,7 +191,7 @@ export const es: Words = {
       replaced: 'Parado: hubo que reiniciar el planificador. El mejor recorrido se conserva.',
       stopped: 'Parado. El mejor recorrido se conserva.',
     },
-    improving: 'Se acabó el tiempo. Puede mejorar más.', quiet: (time) => `Listo. Nada mejor en los últimos ${time}.`, second: '1 s',
+    improving: 'Se acabó el tiempo. Puede mejorar más.', quiet: (time) => `Listo. Nada mejor desde hace ${time}.`, second: '1 s',
   },
 
   drawing: {
