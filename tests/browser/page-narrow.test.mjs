@@ -50,6 +50,22 @@ for (const [width, height] of LOW) {
   });
 }
 
+for (const [width, height] of [[390, 844], ...LOW]) {
+  test(`the sizes of a drawing that has no usual size ran out of their buttons (${width} × ${height})`, async (t) => {
+    const { page } = await openPage(t, { size: { width, height }, hash: 'seconds=0.4', prepare: `localStorage.setItem('kerfway.language', 'de')` });
+    await phase(page, 'done');
+    // In inches it is 1177.9 mm wide.
+    await drop(page, 'house.dxf', grid(128, { units: 6, step: 2.95 }));
+    await phase(page, 'question');
+    const outside = (all) => all.filter((b) => [...b.children].some((span) => {
+      const text = document.createRange();
+      text.selectNodeContents(span);
+      return text.getBoundingClientRect().right > b.getBoundingClientRect().right - parseFloat(getComputedStyle(b).paddingRight) + 0.5;
+    })).map((b) => b.textContent);
+    assert.deepEqual(await page.locator('.choices button').evaluateAll(outside), []);
+  });
+}
+
 for (const width of [320, 360]) {
   for (const locale of ['en', 'de', 'es']) {
     test(`at ${width} pixels the times of the result are not cut off, and a guessed unit does not look like a stated one (${locale})`, async (t) => {
