@@ -187,3 +187,12 @@ for (const language of ['de', 'es']) {
     assert.deepEqual(await page.locator('.order .order-row > :not(:nth-child(3))').evaluateAll(cut), []);
   });
 }
+
+test('what is set for a layer is written as its field is: a German noun had a small letter', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4', prepare: `localStorage.setItem('kerfway.language', 'de')` });
+  await phase(page, 'done');
+  await openEverything(page);
+  await page.locator('.layer').first().getByRole('button').last().click();
+  await replanned(page, () => page.locator('.layer-settings').first().getByLabel('Blasluft').check());
+  assert.equal(await page.locator('.layer-set').first().textContent(), 'Blasluft');
+});
