@@ -67,13 +67,13 @@ export const de: Words = {
   sentences,
 
   report: {
-    machine: 'Maschine', kerf: 'Schnittfuge', material: 'Material', size: 'Größe', parts: 'Teile', weight: 'Gewicht', printed: 'Gedruckt', picture: 'Der Weg des Strahls mit Reihenfolge und Richtung',
-    time: 'Zeit', job: 'Auftrag', cutting: 'Schneiden', air: 'Leerwege', piercing: 'Einstechen', preCuts: 'Vorschnitte', nearest: 'Nächste zuerst', gap: 'Noch zu gewinnen', noBound: 'noch keine Schranke', nothing: 'nichts: dieser Weg ist optimal',
+    machine: 'Maschine', kerf: 'Schnittfugenbreite', material: 'Material', size: 'Größe', parts: 'Teile', weight: 'Gewicht', printed: 'Gedruckt', picture: 'Der Weg des Strahls mit Reihenfolge und Richtung',
+    time: 'Zeit', job: 'Auftrag', cutting: 'Schneiden', air: 'Leerfahrten', piercing: 'Einstechen', preCuts: 'Vorschnitte', nearest: 'Nächste zuerst', gap: 'Noch zu gewinnen', noBound: 'noch keine Schranke', nothing: 'nichts: dieser Weg ist optimal',
     layers: 'Layer', layer: 'Layer', operation: 'Bearbeitung', contours: 'Konturen', contour: 'Kontur', length: 'Länge', count: 'Anzahl', area: 'Fläche', toCut: 'Zu schneiden', holes: 'Löcher',
-    findings: 'Befunde', order: 'Schneidreihenfolge', no: 'Nr.', begins: 'Beginnt', entry: 'Einstieg, mm', none: 'Keine.',
+    findings: 'Befunde', order: 'Schneidreihenfolge', no: 'Nr.', begins: 'Beginnt', entry: 'Einstich, mm', none: 'Keine.',
     operations: { cut: 'schneiden', mark: 'markieren', ignore: 'ignorieren' }, severities: { error: 'Fehler', warning: 'Warnung', info: 'Hinweis' },
     readIn: (size, unit, source) => `${size}, gelesen in ${unit} (${{ header: 'steht in der Datei', guessed: 'vermutet', given: 'gewählt' }[source]})`, different: (n, kinds) => `${n}, davon ${kinds} verschiedene`,
-    along: (time, way) => `${time} für ${way}`, pierced: (time, n) => `${time} für ${n} Einstiche`, asDrawn: (nearest, drawn) => `${nearest}; wie gezeichnet ${drawn}`,
+    along: (time, way) => `${time} für ${way}`, pierced: (time, n) => `${time} für ${counted(n, String(n), 'Einstich', 'Einstiche')}`, asDrawn: (nearest, drawn) => `${nearest}; wie gezeichnet ${drawn}`,
     atMost: (time) => `höchstens ${time}`, more: (rows) => `Und ${rows} weitere.`, times: (n) => `${n}-mal`, at: (x, y) => `bei ${x}; ${y}`,
     source: (version, seed, moves, drawing, quote) => `Kerfway ${version}, Startwert ${seed}, ${moves} Züge. Zeichnung ${drawing}, Angebot ${quote}.`,
   },
