@@ -52,6 +52,21 @@ describe('<kerfway-planner>', () => {
     assert.ok(Math.abs(length / result.summary.cut_length - 1) < 1e-3, `${length} mm against ${result.summary.cut_length}`);
   });
 
+  it('lost the focus with each button that was pressed by keyboard', async (t) => {
+    const { page } = await open(t, 'seconds="60" units="mm" allow-off-bed');
+    await page.waitForFunction(() => window.events.length === 1);
+    const focused = () => page.evaluate(() => document.querySelector('kerfway-planner').shadowRoot.activeElement?.textContent);
+    await page.keyboard.press('Tab');
+    assert.equal(await focused(), 'Choose a file');
+    const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.keyboard.press('Enter')]);
+    await chooser.setFiles({ name: 'keyboard.dxf', mimeType: 'image/vnd.dxf', buffer: Buffer.from(bytes(KEYBOARD)) });
+    await state(page, 'planning');
+    assert.equal(await focused(), 'Stop');
+    await page.keyboard.press('Enter');
+    await state(page, 'done');
+    assert.equal(await focused(), 'Download G-code');
+  });
+
   it('plans with options that its framework has set to nothing, and says that nothing is no drawing', async (t) => {
     const { page } = await open(t, 'moves="100" units="mm" seed="1"');
     const told = await page.evaluate(async (text) => {

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { sample } from './page-drawings.mjs';
+import { grid, sample } from './page-drawings.mjs';
 import { changedFrom, inBothThemes, serious, shot, still } from './page-pictures.mjs';
 import { drop, nextFrames, openEverything, openPage, phase, planned, replanned, SIZES, tap, until } from './page-support.mjs';
 
@@ -291,4 +291,29 @@ test('the focus stays in the foot where the button that is pressed by keyboard g
   await foot.getByRole('button', { name: 'Stop' }).click();
   await phase(page, 'done');
   assert.equal(await page.evaluate(() => document.activeElement === document.body), true);
+});
+
+test('the table called contours by their place in the order, as the page calls them by their number', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
+  await phase(page, 'done');
+  await page.keyboard.press('t');
+  const row = page.locator('.rows .order-row').first();
+  await row.waitFor();
+  assert.deepEqual(await row.locator('button').evaluateAll((all) => all.map((b) => b.getAttribute('aria-label'))), ['No. 1, show on the sheet', 'Move no. 1 in the order: drag, or arrow keys']);
+  await row.locator('.row-button').click();
+  await page.locator('.contour strong', { hasText: 'No. 1 of 500' }).waitFor();
+});
+
+test('after a file that cannot be used, the focus was not on the question that waits', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
+  await phase(page, 'done');
+  await drop(page, 'units.dxf', grid(12, { units: 6 }));
+  await phase(page, 'question');
+  await drop(page, 'letter.pdf', Buffer.from('%PDF-1.7 not a drawing'));
+  await page.locator('.failure').waitFor();
+  await page.keyboard.press('Enter');
+  await page.locator('.failure').waitFor({ state: 'hidden' });
+  assert.equal(await page.evaluate(() => document.activeElement.className), 'card question');
+  await page.keyboard.press('Tab');
+  assert.equal(await page.evaluate(() => document.activeElement.closest('.question') !== null), true);
 });

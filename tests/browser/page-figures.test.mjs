@@ -229,3 +229,32 @@ test('a difference of minutes is written like the times that it is the differenc
   await phase(page, 'done');
   assert.match(await page.locator('details.section', { has: page.getByRole('heading', { name: 'Result', exact: true }) }).textContent(), /; 0:1\d:\d\d less than as drawn/);
 });
+
+test('the check of the program counted the sides of a grid, and what is cut in one go, as contours', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4' });
+  await phase(page, 'done');
+  await page.getByRole('button', { name: 'Samples' }).click();
+  await page.locator('.menu-item', { hasText: 'Perforated plate' }).click();
+  await planned(page, 'perforated.dxf', 'done');
+  assert.match(await sectionText(page, 'Drawing', /1 part/), /363 contours/);
+  const check = page.locator('.preflight');
+  await check.getByText('read back').waitFor();
+  assert.match(await check.textContent(), /1 closed outline\s· 693 cuts\s· beam/);
+});
+
+test('the sheet is as large on the stage as in the top bar: beyond ten metres, too', async (t) => {
+  // What is written on the canvas.
+  const { page } = await openPage(t, { hash: 'seconds=0.4&units=mm', prepare: () => {
+    window.written = new Set();
+    const { fillText } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.fillText = function (text, ...place) {
+      window.written.add(text);
+      return fillText.call(this, text, ...place);
+    };
+  } });
+  await phase(page, 'done');
+  await drop(page, 'large.dxf', dxf(square(0, 0, 4000), square(20_000, 4000, 4000)));
+  await planned(page, 'large.dxf', 'done');
+  await page.getByText('24.0 × 8.00 m').first().waitFor();
+  await page.waitForFunction(() => window.written.has('24.0 m') && window.written.has('8.00 m'));
+});

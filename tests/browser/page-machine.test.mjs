@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { dxf, square } from '../package/support.mjs';
-import { grid } from './page-drawings.mjs';
+import { beamRuns, grid } from './page-drawings.mjs';
 import { shot, still } from './page-pictures.mjs';
 import { machineSection, openPage, openPlanned, output, phase, plan, replanned, SIZES, until } from './page-support.mjs';
 
@@ -52,6 +52,16 @@ test('a job off the bed gets no G-code, is moved to the corner, turned, and drag
   await page.keyboard.press('Escape');
   assert.equal(await bed.getByRole('button', { name: 'Drag the job' }).getAttribute('aria-pressed'), 'false');
   await shot(page, 'bed-placed');
+});
+
+test('the table and the report named entries where they are drawn, also of a job that is placed elsewhere', async (t) => {
+  const page = await openPlanned(t, 'co2-100w', 'square.dxf', DRAWING, { hash: 'machine=co2-100w&seconds=0.4&units=mm&place=lower-left@100,200' });
+  const { x, y } = beamRuns(await output(page, 'G-code'))[0].from;
+  await page.keyboard.press('t');
+  const entry = await page.locator('.rows .order-row').first().locator('.number').last().textContent();
+  assert.equal(entry, `${x.toFixed(1)}, ${y.toFixed(1)}`);
+  const report = await output(page, 'Report');
+  assert.equal(/<td>([\d.]+, [\d.]+)<\/td>/.exec(report.slice(report.indexOf('Entry, mm')))?.[1], `${+x.toFixed(2)}, ${+y.toFixed(2)}`);
 });
 
 test('a layer has settings, a material is saved and chosen, and a stopwatch fits the machine', async (t) => {

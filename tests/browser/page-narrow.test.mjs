@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { grid, sample } from './page-drawings.mjs';
 import { picture } from './page-pictures.mjs';
-import { drop, openPage, phase, planned, SIZES } from './page-support.mjs';
+import { drop, openEverything, openPage, phase, planned, SIZES } from './page-support.mjs';
 
 /** A phone held sideways, and windows of 1440 × 900 and 1280 × 720 pixels in which the page is enlarged to twice its size. */
 const LOW = [[667, 375], [720, 450], [640, 360], [844, 390]];
@@ -47,6 +47,22 @@ for (const [width, height] of LOW) {
     const answers = page.locator('.choices button');
     assert.equal(await answers.count(), 4);
     assert.deepEqual(await answers.evaluateAll(pressable), [true, true, true, true]);
+  });
+}
+
+for (const [width, height] of [[390, 844], ...LOW]) {
+  test(`the sizes of a drawing that has no usual size ran out of their buttons (${width} × ${height})`, async (t) => {
+    const { page } = await openPage(t, { size: { width, height }, hash: 'seconds=0.4', prepare: `localStorage.setItem('kerfway.language', 'de')` });
+    await phase(page, 'done');
+    // In inches it is 1177.9 mm wide.
+    await drop(page, 'house.dxf', grid(128, { units: 6, step: 2.95 }));
+    await phase(page, 'question');
+    const outside = (all) => all.filter((b) => [...b.children].some((span) => {
+      const text = document.createRange();
+      text.selectNodeContents(span);
+      return text.getBoundingClientRect().right > b.getBoundingClientRect().right - parseFloat(getComputedStyle(b).paddingRight) + 0.5;
+    })).map((b) => b.textContent);
+    assert.deepEqual(await page.locator('.choices button').evaluateAll(outside), []);
   });
 }
 
@@ -142,3 +158,17 @@ for (const [width, height] of NARROW) {
     assert.deepEqual(await page.evaluate(misplaced), [], 'with the table');
   });
 }
+
+test('long German names of fields were broken without a hyphen where the browser has no dictionary', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4', prepare: `localStorage.setItem('kerfway.language', 'de')` });
+  await phase(page, 'done');
+  await openEverything(page);
+  const broken = await page.locator('.field-label').evaluateAll((all) => all.flatMap((label) => [...label.firstChild.data.matchAll(/[^\s\u00ad]+/g)].filter(({ 0: part, index }) => {
+    const letters = document.createRange();
+    // Before the first letter there may be a hyphen, on the line above.
+    letters.setStart(label.firstChild, index + 1);
+    letters.setEnd(label.firstChild, index + part.length);
+    return new Set([...letters.getClientRects()].filter((line) => line.width > 0).map((line) => line.top)).size > 1;
+  }).map(({ 0: part }) => part)));
+  assert.deepEqual(broken, []);
+});

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { grid } from './page-drawings.mjs';
 import { picture } from './page-pictures.mjs';
-import { download, drop, dropAll, openPage, phase, planned, replanned, SIZES } from './page-support.mjs';
+import { download, drop, dropAll, machineSection, openPage, phase, planned, replanned, SIZES } from './page-support.mjs';
 
 const REFUSED = 'Not on the bed, so no program';
 
@@ -83,4 +83,19 @@ test('a notice on a phone lies above the toolbar', async (t) => {
   await page.keyboard.press('d');
   const [notice, tools] = [await page.locator('.notice').boundingBox(), await page.locator('.toolbar').boundingBox()];
   assert.ok(notice.y + notice.height <= tools.y, JSON.stringify({ notice, tools }));
+});
+
+test('a job with a kerf was moved half the kerf beyond the corner of the bed, and the page named the place of its drawn lines', async (t) => {
+  const page = await openOffBed(t, 'machine=co2-100w');
+  const machine = await machineSection(page, SIZES.desktop);
+  await machine.locator('summary', { hasText: 'Advanced settings' }).click();
+  await replanned(page, () => machine.getByLabel('Kerf width').fill('0.3'));
+  await page.locator('.dock').getByRole('button', { name: 'Place the job' }).click();
+  const bed = page.locator('details.section', { has: page.getByRole('heading', { name: 'On the bed' }) });
+  await bed.getByText('The job reaches from x -97.75', { exact: false }).waitFor();
+  await bed.getByText('x -97.8 to', { exact: false }).waitFor();
+  await replanned(page, () => bed.getByRole('button', { name: 'Move to the corner' }).click());
+  assert.equal(await page.getByText(REFUSED).filter({ visible: true }).count(), 0);
+  await bed.getByText('x 0 to', { exact: false }).waitFor();
+  assert.match(await page.evaluate(() => location.hash), /place=lower-left%400\.15%2C0\.15/);
 });

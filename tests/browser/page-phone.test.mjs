@@ -198,3 +198,14 @@ for (const [language, bound] of [['de', /höchstens/], ['es', /como mucho/]]) {
     assert.deepEqual(await measure(), { high, cut: [] }, 'stopped');
   });
 }
+
+test('the list of keys was cut off at the right in German', async (t) => {
+  for (const language of ['en', 'de', 'es', 'zh', 'ja']) {
+    const { page } = await openPage(t, { size: { width: 320, height: 640 }, hash: 'seconds=0.4', prepare: inLanguage(language) });
+    await phase(page, 'done');
+    await page.keyboard.press('?');
+    await page.locator('dialog[open]').waitFor();
+    assert.deepEqual(await page.locator('dialog').evaluate((d) => [d.scrollWidth, ...[...d.querySelectorAll('dt, dd')].filter((e) => e.scrollWidth > e.clientWidth).map((e) => e.textContent)]), [await page.locator('dialog').evaluate((d) => d.clientWidth)], language);
+    if (language === 'de') await picture(page, 'keys-phone');
+  }
+});

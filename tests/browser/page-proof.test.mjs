@@ -67,6 +67,18 @@ describe('a proof after the search', { concurrency: true }, () => {
     assert.deepEqual(beamRuns(await program()).length, 24);
   });
 
+  it('keeps what was worked out about what saves what, which disappeared with every better path', async (t) => {
+    const { page } = await plannedAtOnce(t, 'seconds=0.001', 24);
+    await page.evaluate(() => [...document.querySelectorAll('details.more')].find((d) => d.textContent.startsWith('What saves what')).setAttribute('open', ''));
+    await page.getByRole('button', { name: 'Work it out' }).click();
+    await page.getByText('Plans without a decision were searched').waitFor();
+    const order = () => page.locator('.savings dd').first().textContent({ timeout: 1000 });
+    const before = await order();
+    await page.waitForFunction(() => document.querySelector('.dock-head').textContent === 'Optimal: no better path exists.');
+    assert.notEqual(await order(), before);
+    assert.equal(await order(), `saves ${(await page.locator('.large').textContent()).replace(' saved', '')}`);
+  });
+
   it('leaves the plan of another method as it is', async (t) => {
     const { page, program, first } = await plannedAtOnce(t, 'seconds=1&method=greedy', 12);
     const left = page.locator('.parts .gap + dd');

@@ -175,3 +175,24 @@ test('in German and in inches, why a drawing has its unit is said in German, wit
   await planned(page, 'plate.dxf', 'done');
   assert.equal(await page.locator('.top .source').locator('..').getAttribute('title'), 'Gewählt: Millimeter.');
 });
+
+for (const language of ['de', 'es']) {
+  test(`the unit of the entries was cut off in the head of the table in Spanish (${language})`, async (t) => {
+    const { page } = await openPage(t, { size: { width: 1280, height: 720 }, hash: 'seconds=0.4', prepare: `localStorage.setItem('kerfway.language', '${language}')` });
+    await phase(page, 'done');
+    await page.keyboard.press('t');
+    await page.locator('.rows .order-row').first().waitFor();
+    // But for the layer, whose name may be any length.
+    const cut = (all) => all.filter((cell) => cell.textContent !== '' && cell.scrollWidth > cell.clientWidth).map((cell) => cell.textContent);
+    assert.deepEqual(await page.locator('.order .order-row > :not(:nth-child(3))').evaluateAll(cut), []);
+  });
+}
+
+test('what is set for a layer is written as its field is: a German noun had a small letter', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4', prepare: `localStorage.setItem('kerfway.language', 'de')` });
+  await phase(page, 'done');
+  await openEverything(page);
+  await page.locator('.layer').first().getByRole('button').last().click();
+  await replanned(page, () => page.locator('.layer-settings').first().getByLabel('Blasluft').check());
+  assert.equal(await page.locator('.layer-set').first().textContent(), 'Blasluft');
+});

@@ -283,3 +283,19 @@ it('one thing is said as one', async () => {
     ['3 pasos', '3 tipos de piezas más', '3 contornos en vez de 9'],
   ]);
 });
+
+it('the report of a job has the words of the page: in four languages it had others', async () => {
+  const small = (word) => word.toLowerCase();
+  for (const language of ['en', 'de', 'es', 'zh', 'ja']) {
+    const { report = ENGLISH_REPORT.words, result, table, machine, findings, quote } = await wordsOf(language);
+    const { no, layer, length, begins, order, kerf, air, preCuts, nearest, gap, noBound, nothing, weight, severities } = report;
+    const [number, , layers, lengths, from, entry] = table.columns;
+    assert.deepEqual(
+      { no, layer, length, begins, order, kerf, air, preCuts, nearest, gap, noBound, nothing, weight, entry: report.entry.split(/[,，、]/)[0] },
+      { no: number, layer: layers, length: lengths, begins: from, order: table.title, kerf: machine.kerf, air: machine.air, preCuts: result.preCuts, nearest: result.greedy, gap: result.gap, noBound: result.noBound, nothing: result.nothingLeft, weight: quote.weight, entry },
+      language,
+    );
+    assert.deepEqual(Object.values(severities).map(small), [findings.error, findings.warning, findings.info].map(small), language);
+    assert.ok(report.pierced('1 s', 1).endsWith(result.piercings(1, '1')), `${language}: one piercing`);
+  }
+});

@@ -1,6 +1,6 @@
 /** The words of a report, and how it writes numbers: English, and what another language has to say. */
 
-import { duration, fixed } from './words.js';
+import { duration, fixed, plural } from './words.js';
 import type { Finding, Operation, Severity, Unit, UnitsTaken } from './protocol.js';
 
 /** How a report is written. */
@@ -102,9 +102,9 @@ export const ENGLISH: ReportText = {
     time: 'Time', job: 'Job', cutting: 'Cutting', air: 'Air moves', piercing: 'Piercing', preCuts: 'Pre-cuts', nearest: 'Nearest first', gap: 'Left to gain', noBound: 'no bound yet', nothing: 'nothing: this path is optimal',
     layers: 'Layers', layer: 'Layer', operation: 'Operation', contours: 'Contours', contour: 'Contour', length: 'Length', count: 'Count', area: 'Area', toCut: 'To cut', holes: 'Holes',
     findings: 'Findings', order: 'Cutting order', no: 'No.', begins: 'Begins', entry: 'Entry, mm', none: 'None.',
-    operations: { cut: 'cut', mark: 'mark', ignore: 'ignore' }, severities: { error: 'error', warning: 'warning', info: 'info' },
+    operations: { cut: 'cut', mark: 'mark', ignore: 'ignore' }, severities: { error: 'error', warning: 'warning', info: 'note' },
     readIn: (size, unit, source) => `${size}, read in ${unit} (${SOURCES[source]})`, different: (parts, kinds) => `${parts}, ${kinds} different`,
-    along: (time, way) => `${time} for ${way}`, pierced: (time, piercings) => `${time} for ${piercings} piercings`, asDrawn: (nearest, drawn) => `${nearest}; as drawn ${drawn}`,
+    along: (time, way) => `${time} for ${way}`, pierced: (time, piercings) => `${time} for ${plural(piercings, 'piercing')}`, asDrawn: (nearest, drawn) => `${nearest}; as drawn ${drawn}`,
     atMost: (time) => `at most ${time}`, more: (rows) => `And ${rows} more.`, times: (n) => `${n} times`, at: (x, y) => `at ${x}, ${y}`,
     source: (version, seed, moves, drawing, quote) => `Kerfway ${version}, seed ${seed}, ${moves} moves. Drawing ${drawing}, quote ${quote}.`,
   },

@@ -7,6 +7,7 @@ import { words } from '../core/words/index.js';
 import { headline } from '../panels/dock.js';
 import type { Playback } from '../playback/playback.js';
 import { writeAddress } from '../session/address.js';
+import { reachOf } from '../session/off-bed.js';
 import { bedAround, fitsBed, homeAround } from '../session/placing.js';
 import type { Session } from '../session/session.js';
 import { longestTime, type State } from '../session/state.js';
@@ -84,7 +85,7 @@ export class JobView {
     notices.showRefusal(state, () => session.store.refusalSeen());
     if (state.phase === 'done' || state.phase === 'paused') announcer.report(headline(state));
     this.parts.showCommon((state.common?.offsets.length ?? 0) > 1);
-    scene.setBed(bedAround(state.placing, state.machine, state.loaded), state.loaded === null || fitsBed(state.placing, state.machine, state.loaded));
+    scene.setBed(bedAround(state.placing, state.machine, state.loaded), state.loaded === null || fitsBed(state.placing, state.machine, state.loaded, reachOf(state)));
     if (!scene.shapes) return;
     scene.setPrepared(state);
     if (state.progress !== null) return;

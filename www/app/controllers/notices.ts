@@ -41,9 +41,13 @@ export class Notices {
   showRefusal({ refused, loaded }: State, close: () => void): void {
     if (refused === this.refused) return;
     this.refused = refused;
+    const isLeft = this.failure.contains(document.activeElement);
     leave(this.failure);
     this.failure.hidden = refused === null;
-    if (refused === null) return;
+    if (refused === null) {
+      if (isLeft) document.querySelector<HTMLElement>('.question:not([hidden])')?.focus({ preventScroll: true });
+      return;
+    }
     const { file, sentence } = refused;
     const stays = loaded === null ? [] : [h('p', { class: 'soft' }, words.page.stays), button(words.page.close, { class: 'primary', onclick: close })];
     this.failure.replaceChildren(h('h2', {}, icon('error'), file), h('p', {}, sentence), ...stays);

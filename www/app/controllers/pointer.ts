@@ -6,6 +6,7 @@ import { words } from '../core/words/index.js';
 import { describe, Tooltip } from '../panels/contour.js';
 import type { Playback } from '../playback/playback.js';
 import { jointAt, withJoint } from '../session/hand-joints.js';
+import { reachOf } from '../session/off-bed.js';
 import { bedAround, dragged, fitsBed, hundredths, shiftOf } from '../session/placing.js';
 import { isDrawn } from '../session/rules.js';
 import type { Session } from '../session/session.js';
@@ -133,7 +134,8 @@ export class Pointer {
 
   // The job follows the pointer, and the bed stays: the view moves with the job, and the bed moves back on it.
   private drag({ dx, dy, from, to, shift }: Drag): boolean {
-    const { dragged: sum, scene, session: { state: { placing, machine, loaded } } } = this;
+    const { dragged: sum, scene, session: { state } } = this;
+    const { placing, machine, loaded } = state;
     if (sum === null && loaded && (shift || this.selection.several || scene.box !== null)) {
       scene.highlight({ box: [from.x, from.y, to.x, to.y] });
       return true;
@@ -143,7 +145,7 @@ export class Pointer {
     sum.x += dx / scene.viewport.scale;
     sum.y -= dy / scene.viewport.scale;
     const moved = { ...placing, place: dragged(placing, loaded, sum.x, sum.y) };
-    scene.setBed(bedAround(moved, machine, loaded), fitsBed(moved, machine, loaded));
+    scene.setBed(bedAround(moved, machine, loaded), fitsBed(moved, machine, loaded, reachOf(state)));
     return true;
   }
 

@@ -84,9 +84,9 @@ export function size(mm: number, beside = mm): string {
   return largest < 1 || Math.abs(value) < 0.1 ? three(value) : upTo(value, unit === 'mm' && largest >= 10 ? 1 : 2);
 }
 
-/** The same with its unit: "297.5 mm". */
-export function width(mm: number): string {
-  return `${size(mm)} ${shownIn('mm').unit}`;
+/** The same with its unit: "297.5 mm"; in metres where `extent` has these. */
+export function width(mm: number, beside = mm): string {
+  return Math.max(mm, beside) < 10_000 || lengthUnit === 'in' ? `${size(mm)} ${shownIn('mm').unit}` : metres(mm);
 }
 
 /** A coordinate, always with the decimals of `size`, so that a list of them is even: "6.0", "0.8". */

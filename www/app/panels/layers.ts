@@ -108,7 +108,7 @@ function inWords(set: LayerChoice | undefined): string {
   if (!set) return '';
   return [
     typeof set.speed === 'number' && inUnit(set.speed, 'mm/s'), typeof set.power === 'number' && inUnit(set.power * 100, '%'),
-    typeof set.passes === 'number' && set.passes > 1 && `${set.passes} ×`, typeof set.zStep === 'number' && set.zStep > 0 && inUnit(set.zStep, 'mm'), set.air === true && words.layers.air.toLowerCase(),
+    typeof set.passes === 'number' && set.passes > 1 && `${set.passes} ×`, typeof set.zStep === 'number' && set.zStep > 0 && inUnit(set.zStep, 'mm'), set.air === true && words.layers.air,
   ].filter(Boolean).join(', ');
 }
 

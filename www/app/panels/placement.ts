@@ -6,9 +6,9 @@ import { shownIn, typed, written } from '../core/lengths.js';
 import { leave } from '../core/refill.js';
 import { sentenceOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
-import { type Anchor, ANCHORS, pointOf } from 'kerfway';
+import { type Anchor, ANCHORS, type Place } from 'kerfway';
 import { anchoredAt, AS_DRAWN, fitsBed, jobBox, shiftOf } from '../session/placing.js';
-import { isRefusedOffBed } from '../session/off-bed.js';
+import { isRefusedOffBed, reachOf } from '../session/off-bed.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
 import { check, field, section, select } from './section.js';
@@ -60,7 +60,10 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
   const fits = h('p', { class: 'soft number' });
   const refused = h('strong', {}, words.dock.offBed);
   const advice = h('p', { role: 'status' });
-  const corner = button(words.placement.corner, { class: 'small', onclick: () => toCorner(session) });
+  const corner = button(words.placement.corner, { class: 'small', onclick: () => {
+    const place = atCorner(session.state);
+    if (place) session.setPlacing({ place, start: AS_DRAWN.start });
+  } });
   const alert = h('div', { class: 'suggestion grave' }, h('div', { class: 'advice stack' }, refused, advice), corner);
   const none = h('p', { class: 'soft' }, words.placement.noBed);
   const content = h('div', { class: 'stack' }, none, field(words.placement.position, mode.root), where, h('div', { class: 'row' }, turnLeft, turnRight), h('div', { class: 'row' }, drag, show), field(words.placement.coordinates, start.root), fits, alert, allow.root);
@@ -87,13 +90,13 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
     const fit = fitsBed(placing, machine, loaded);
     const off = planFindings.find((f) => f.code === 'off-bed');
     const sentence = off !== undefined ? sentenceOf(off).text : fit ? '' : words.placement.off;
-    const [x0, y0, x1, y1] = jobBox(placing, loaded);
+    const [x0, y0, x1, y1] = jobBox(placing, loaded, reachOf(session.state));
     setText(fits, words.placement.reaches(size(x0), size(x1), size(y0), size(y1), shownIn('mm').unit));
     setText(advice, sentence);
     refused.hidden = !isRefusedOffBed(session.state, 'gcode');
     if (!sentence) leave(alert);
     alert.hidden = sentence === '';
-    corner.hidden = !machine.bed || !roomFor(session.state);
+    corner.hidden = atCorner(session.state) === null;
     allow.root.hidden = sentence === '' && !placing.allowOffBed;
     allow.input.checked = placing.allowOffBed;
     const turned = load.turn ? words.placement.turned(load.turn) : '';
@@ -114,17 +117,15 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
   return Object.assign(root, { setDragging: (on: boolean) => drag.setAttribute('aria-pressed', String(on)), reveal });
 }
 
-/** Puts the lower left corner of the job at that of the bed. */
-export function toCorner(session: Session): void {
-  const { machine } = session.state;
-  if (machine?.bed) session.setPlacing({ place: { point: 'lower-left', at: [machine.bed[0], machine.bed[1]] }, start: AS_DRAWN.start });
-}
-
-/** Whether the job fits on the bed at all. */
-function roomFor({ machine, loaded }: State): boolean {
-  if (!machine?.bed || !loaded) return false;
-  const at: [number, number] = pointOf('lower-left', machine.bed);
-  return fitsBed({ ...AS_DRAWN, place: { point: 'lower-left', at } }, machine, loaded);
+/** The place with the lower left corner of what the beam reaches at that of the bed; null where that has no room for the job. */
+function atCorner(state: State): Place | null {
+  const { machine, loaded } = state;
+  const box = reachOf(state);
+  if (!machine?.bed || !loaded || !box) return null;
+  const { bed } = machine;
+  const at = (axis: 0 | 1) => Math.ceil(100 * (bed[axis] + loaded.bounds[axis] - box[axis]) - 1e-6) / 100 + 0;
+  const place: Place = { point: 'lower-left', at: [at(0), at(1)] };
+  return fitsBed({ ...AS_DRAWN, place }, machine, loaded, box) ? place : null;
 }
 
 function choosePoint(session: Session, anchor: Anchor): void {

@@ -100,12 +100,12 @@ export function preflight(session: Session, refuse: (why: string) => void): HTML
 
 function factsOf(r: ProgramCheck, state: State): string[] {
   const w = words.preflight;
-  const { joints, skeleton_cuts } = state.progress?.summary ?? {};
+  const { joints, contours } = state.progress?.summary ?? {};
   const cuts = r.contours * (r.passes || 1);
   return [
     // Joints part an outline into open cuts.
     ...(joints ? [] : [w.outlines(r.parts, count(r.parts))]),
-    joints || skeleton_cuts ? words.result.skeletonCuts(cuts, count(cuts)) : r.passes === 1 ? w.once(r.contours, count(r.contours)) : r.passes === 0 ? w.uneven(count(r.contours)) : w.times(r.contours, count(r.contours), count(r.passes)),
+    joints || r.contours !== contours ? words.result.skeletonCuts(cuts, count(cuts)) : r.passes === 1 ? w.once(r.contours, count(r.contours)) : r.passes === 0 ? w.uneven(count(r.contours)) : w.times(r.contours, count(r.contours), count(r.passes)),
     r.dark_rapids ? w.dark : w.lit,
     ...(r.fits_bed === null ? [] : [r.fits_bed ? w.onBed : w.offBed]),
     `${metres(r.cut_length)}, ${seconds(r.seconds, longestTime(state))}`,

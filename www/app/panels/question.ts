@@ -4,7 +4,7 @@
  */
 
 import { button, h } from '../core/dom.js';
-import { count, extent } from '../core/format.js';
+import { count, extent, unbroken } from '../core/format.js';
 import { leave } from '../core/refill.js';
 import { reasonOf, sentenceOf, UNIT_SIZES } from '../core/strings.js';
 import type { Loaded, LoadOptions, Unit } from 'kerfway';
@@ -72,7 +72,7 @@ function units(session: Session, loaded: Loaded): HTMLElement[] {
   // None is proposed: the page does not know, and a wrong unit makes the job 25 times too large or too small. What the planner took says where it is from.
   const choice = (c: UnitChoice) => {
     const name = c.dpi === undefined ? words.question.in(words.unitNames[c.units ?? 'px']) : words.question.dpi(c.dpi);
-    return h('button', { type: 'button', onclick: () => session.drawing.setUnits(c) }, h('span', {}, sizeIn(session.state, c)), h('span', {}, isTaken(loaded, c) ? `${name}, ${words.unitSources[loaded.units.source]}` : name));
+    return h('button', { type: 'button', onclick: () => session.drawing.setUnits(c) }, h('span', {}, unbroken(sizeIn(session.state, c))), h('span', {}, isTaken(loaded, c) ? `${name}, ${words.unitSources[loaded.units.source]}` : name));
   };
   return [
     h('h2', { id: 'question' }, words.question.size),

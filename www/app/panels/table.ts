@@ -9,6 +9,7 @@ import { shownIn } from '../core/lengths.js';
 import { cutLength } from '../stage/shapes.js';
 import type { Session } from '../session/session.js';
 import type { Playback } from '../playback/playback.js';
+import { shiftOf } from '../session/placing.js';
 import { pathContours, ruleOf } from '../session/rules.js';
 import { longestTime, type Phase } from '../session/state.js';
 import { RowDrag } from './row-drag.js';
@@ -117,13 +118,14 @@ export class OrderTable {
     const contour = path.contours[stop]!;
     const info = pathContours(this.session.state)[contour];
     const cell = (text: string, extra = '') => h('span', { role: 'cell', class: extra }, text);
-    const { load } = this.session.state;
+    const { load, loaded, placing } = this.session.state;
+    const [dx, dy] = shiftOf(placing, loaded);
     const fixed = ruleOf(load, contour) !== null || (load.sequences?.some((s) => s.includes(contour)) ?? false);
     const row = h('div', { role: 'row', class: `order-row${contour === this.selected ? ' selected' : ''}${fixed ? ' fixed' : ''}`, 'aria-rowindex': stop + 2, 'data-stop': stop },
       h('span', { role: 'cell' }, h('button', { type: 'button', class: 'row-button number', 'aria-label': words.table.show(stop + 1), onclick: () => this.actions.select(contour) }, count(stop + 1))),
       h('span', { role: 'cell' }, this.drag.handle(words.table.move(stop + 1), stop)),
       cell(info?.layer ?? ''), cell(info ? millimetres(cutLength(path, stop, info.length)) : '', 'number'), cell(clock(this.playback.begin(stop), this.playback.total, longestTime(this.session.state)), 'number'),
-      cell(place(path.points[stop * 4]!, path.points[stop * 4 + 1]!), 'number'),
+      cell(place(path.points[stop * 4]! + dx, path.points[stop * 4 + 1]! + dy), 'number'),
       cell(info?.closed ? (path.reversed[stop] ? words.table.reversed : words.table.asDrawn) : words.table.open));
     row.style.transform = `translateY(${stop * ROW}px)`;
     return row;

@@ -18,10 +18,10 @@ export interface Alternative {
 /** Kinds of decisions that can be left out of a plan. */
 export type Decision = 'order' | 'entry' | 'common' | 'partial' | 'leads' | Lever;
 
-/** What leaving a decision out costs, s; negative where the decision itself costs time, as leads do. */
-export interface Saving {
+/** A decision, and the time of the job without it, s. */
+export interface Without {
   decision: Decision;
-  seconds: number;
+  total: number;
 }
 
 export class Alternatives {
@@ -40,13 +40,12 @@ export class Alternatives {
     return { path, total: progress.summary.total_time };
   }
 
-  /** What each kind of decision saves in the current plan. `searched`: the seconds of search for a plan without a decision, where one is needed. */
-  async *savings(searched: number): AsyncGenerator<Saving> {
+  /** The current job without each kind of decision. `searched`: the seconds of search for a plan without a decision, where one is needed. */
+  async *savings(searched: number): AsyncGenerator<Without> {
     const { state } = this.session;
     const { progress, baselines, path, machine } = state;
     if (!progress || !baselines || !path || !machine) return;
-    const now = progress.summary.total_time;
-    const save = (decision: Decision, without: Summary): Saving => ({ decision, seconds: without.total_time - now });
+    const save = (decision: Decision, without: Summary): Without => ({ decision, total: without.total_time });
     yield save('order', baselines.greedy);
     // The same order, with every closed contour entered where its line begins. Leads, stretches, cuts on the run and chains have places of their own.
     const whole = path.along.every((along, k) => along === path.until[k]);

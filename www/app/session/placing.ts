@@ -28,10 +28,9 @@ export function shiftOf({ place }: Placing, loaded: Loaded | null): [number, num
   return [place.at[0] - x, place.at[1] - y];
 }
 
-/** The box of the job in machine coordinates. */
-export function jobBox(placing: Placing, loaded: Loaded): Box {
+/** The box of the job in machine coordinates: of its drawn lines, or of another box around it. */
+export function jobBox(placing: Placing, loaded: Loaded, [x0, y0, x1, y1]: Box = loaded.bounds): Box {
   const [dx, dy] = shiftOf(placing, loaded);
-  const [x0, y0, x1, y1] = loaded.bounds;
   return [x0 + dx, y0 + dy, x1 + dx, y1 + dy];
 }
 
@@ -50,11 +49,11 @@ export function homeAround(placing: Placing, machine: MachineProfile, loaded: Lo
   return [x - dx, y - dy];
 }
 
-/** Whether the job lies on the bed. */
-export function fitsBed(placing: Placing, machine: MachineProfile | null, loaded: Loaded): boolean {
+/** Whether the job lies on the bed. `box`: as above. */
+export function fitsBed(placing: Placing, machine: MachineProfile | null, loaded: Loaded, box?: Box): boolean {
   if (!machine?.bed) return true;
   const [x0, y0, x1, y1] = machine.bed;
-  const job = jobBox(placing, loaded);
+  const job = jobBox(placing, loaded, box);
   // The head begins at the origin, so that place has to be on the bed as well.
   const reach = (from: number, to: number) => Math.max(to, 0) - Math.min(from, 0);
   if (placing.start === 'current') return reach(job[0], job[2]) <= x1 - x0 + 2 * EDGE && reach(job[1], job[3]) <= y1 - y0 + 2 * EDGE;

@@ -194,8 +194,8 @@ export class Session {
     const [svg, quote] = [(await this.output('svg')) as string, await this.quote({})];
     // What cannot be written has no program.
     const program = (await this.output('gcode').catch(() => null)) as string | null;
-    const { jobReport, reportText } = await import('./report-text.js');
-    return jobReport({ loaded, summary: progress.summary, baselines, path, beam, findings, svg, program, quote, date: new Date(), text: reportText() });
+    const { jobReport, placed, reportText } = await import('./report-text.js');
+    return jobReport({ loaded, summary: progress.summary, baselines, path: placed(path, this.state), beam, findings, svg, program, quote, date: new Date(), text: reportText() });
   }
 
   /** The planner, to be asked about the best plan. */

@@ -32,16 +32,17 @@ export function drawSheet(pen: Pen, view: View, palette: Palette, bounds: readon
 export function drawSizes(pen: Pen, view: View, palette: Palette, bounds: readonly number[]): void {
   const { x0, y0, x1, y1 } = onScreen(view, bounds);
   const r = view.ratio, pad = PAD * r;
+  const [wide, high] = [bounds[2]! - bounds[0]!, bounds[3]! - bounds[1]!];
   pen.font = `${12 * view.text}px system-ui, sans-serif`;
   pen.textAlign = 'center';
   pen.textBaseline = 'top';
-  if (x1 - x0 > 60 * r) label(pen, palette.text, palette.ground, width(bounds[2]! - bounds[0]!), (x0 + x1) / 2, y1 + pad + 6 * r, r);
+  if (x1 - x0 > 60 * r) label(pen, palette.text, palette.ground, width(wide, high), (x0 + x1) / 2, y1 + pad + 6 * r, r);
   if (y1 - y0 > 60 * r) {
     pen.save();
     pen.translate(x0 - pad - 6 * r, (y0 + y1) / 2);
     pen.rotate(-Math.PI / 2);
     pen.textBaseline = 'bottom';
-    label(pen, palette.text, palette.ground, width(bounds[3]! - bounds[1]!), 0, 0, r);
+    label(pen, palette.text, palette.ground, width(high, wide), 0, 0, r);
     pen.restore();
   }
   pen.textAlign = 'start';

@@ -70,6 +70,8 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
   private holder: Promise<Planner> | null = null;
   /** The machine presets, the default first. */
   private machines: readonly MachineProfile[] = [];
+  /** The button that was pressed by keyboard has disappeared: the next one that appears gets the focus. */
+  private isPressed = false;
   private readonly root: ShadowRoot;
   private readonly picture: Picture;
 
@@ -210,12 +212,20 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
 
   // The state alone decides which pieces are visible.
   protected become(state: ElementState, numbers: string): void {
+    const pressed = this.root.querySelector('button:focus-visible');
     this.setAttribute('state', state);
     this.piece('numbers').textContent = numbers;
     this.piece('drop').hidden = state !== 'empty' && state !== 'failed';
     this.piece('stop').hidden = state !== 'planning';
     this.piece('download').hidden = this.piece('again').hidden = state !== 'done';
     this.piece('message').hidden = state !== 'failed';
+    const isShown = (button: Element) => button.closest('[hidden]') === null;
+    if (pressed !== null) this.isPressed = !isShown(pressed);
+    const next = [...this.root.querySelectorAll('button')].find(isShown);
+    if (!this.isPressed || next === undefined) return;
+    this.isPressed = false;
+    // While the file was read, nothing could have the focus. Who has gone on since stays there.
+    if (pressed !== null || document.activeElement === document.body) next.focus({ preventScroll: true });
   }
 
   protected piece<E extends HTMLElement = HTMLElement>(name: string): E {

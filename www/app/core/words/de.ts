@@ -67,13 +67,13 @@ export const de: Words = {
   sentences,
 
   report: {
-    machine: 'Maschine', kerf: 'Schnittfuge', material: 'Material', size: 'Größe', parts: 'Teile', weight: 'Gewicht', printed: 'Gedruckt', picture: 'Der Weg des Strahls mit Reihenfolge und Richtung',
-    time: 'Zeit', job: 'Auftrag', cutting: 'Schneiden', air: 'Leerwege', piercing: 'Einstechen', preCuts: 'Vorschnitte', nearest: 'Nächste zuerst', gap: 'Noch zu gewinnen', noBound: 'noch keine Schranke', nothing: 'nichts: dieser Weg ist optimal',
+    machine: 'Maschine', kerf: 'Schnittfugenbreite', material: 'Material', size: 'Größe', parts: 'Teile', weight: 'Gewicht', printed: 'Gedruckt', picture: 'Der Weg des Strahls mit Reihenfolge und Richtung',
+    time: 'Zeit', job: 'Auftrag', cutting: 'Schneiden', air: 'Leerfahrten', piercing: 'Einstechen', preCuts: 'Vorschnitte', nearest: 'Nächste zuerst', gap: 'Noch zu gewinnen', noBound: 'noch keine Schranke', nothing: 'nichts: dieser Weg ist optimal',
     layers: 'Layer', layer: 'Layer', operation: 'Bearbeitung', contours: 'Konturen', contour: 'Kontur', length: 'Länge', count: 'Anzahl', area: 'Fläche', toCut: 'Zu schneiden', holes: 'Löcher',
-    findings: 'Befunde', order: 'Schneidreihenfolge', no: 'Nr.', begins: 'Beginnt', entry: 'Einstieg, mm', none: 'Keine.',
+    findings: 'Befunde', order: 'Schneidreihenfolge', no: 'Nr.', begins: 'Beginnt', entry: 'Einstich, mm', none: 'Keine.',
     operations: { cut: 'schneiden', mark: 'markieren', ignore: 'ignorieren' }, severities: { error: 'Fehler', warning: 'Warnung', info: 'Hinweis' },
     readIn: (size, unit, source) => `${size}, gelesen in ${unit} (${{ header: 'steht in der Datei', guessed: 'vermutet', given: 'gewählt' }[source]})`, different: (n, kinds) => `${n}, davon ${kinds} verschiedene`,
-    along: (time, way) => `${time} für ${way}`, pierced: (time, n) => `${time} für ${n} Einstiche`, asDrawn: (nearest, drawn) => `${nearest}; wie gezeichnet ${drawn}`,
+    along: (time, way) => `${time} für ${way}`, pierced: (time, n) => `${time} für ${counted(n, String(n), 'Einstich', 'Einstiche')}`, asDrawn: (nearest, drawn) => `${nearest}; wie gezeichnet ${drawn}`,
     atMost: (time) => `höchstens ${time}`, more: (rows) => `Und ${rows} weitere.`, times: (n) => `${n}-mal`, at: (x, y) => `bei ${x}; ${y}`,
     source: (version, seed, moves, drawing, quote) => `Kerfway ${version}, Startwert ${seed}, ${moves} Züge. Zeichnung ${drawing}, Angebot ${quote}.`,
   },
@@ -249,8 +249,8 @@ export const de: Words = {
     title: 'Maschine', preset: 'Voreinstellung', changed: (title) => `${title}, geändert`, home: 'Am Ende zum Start zurück', partialCuts: 'Unterbrochene Schnitte erlauben', pausing: 'In spitzen Ecken warten', back: 'Zurück zur Voreinstellung',
     advanced: 'Erweiterte Einstellungen', air: 'Leerfahrten', start: 'Start auf der Tafel wählen', unlimited: 'unbegrenzt', whole: 'in einem Zug',
     travel: { straight: 'Gerade, Grenzen je Achse', vector: 'Gerade, eine Geschwindigkeit', 'per-axis': 'Achsen fahren unabhängig' },
-    cutSpeed: 'Schneidgeschwindigkeit', cutAccel: 'Schneidbeschleunigung', cutPower: 'Schneidleistung', markSpeed: 'Markiergeschwindigkeit', markPower: 'Markierleistung',
-    rapidX: 'Eilgang, x', rapidY: 'Eilgang, y', rapidAccelX: 'Eilgangbeschleunigung, x', rapidAccelY: 'Eilgangbeschleunigung, y', corners: 'Abweichung in Ecken',
+    cutSpeed: 'Schneid\u00adgeschwindigkeit', cutAccel: 'Schneid\u00adbeschleunigung', cutPower: 'Schneidleistung', markSpeed: 'Markier\u00adgeschwindigkeit', markPower: 'Markierleistung',
+    rapidX: 'Eilgang, x', rapidY: 'Eilgang, y', rapidAccelX: 'Eilgang\u00adbeschleunigung, x', rapidAccelY: 'Eilgang\u00adbeschleunigung, y', corners: 'Abweichung in Ecken',
     pierce: 'Einstechzeit', preCut: 'Zeit eines Vorschnitts', preCutLength: 'Länge eines Vorschnitts', sharpAngle: 'Warten in Ecken unter', sharpTime: 'Wartezeit in einer Ecke', noPauses: 'kein Warten', kerf: 'Schnittfugenbreite',
     kerfHint: 'Teile behalten ihr gezeichnetes Maß: der Strahl ist um die halbe Schnittfuge versetzt. Umrisse im Abstand einer Schnittfuge werden einmal geschnitten. 0: der Strahl folgt den gezeichneten Linien.',
     beamOn: 'Verzögerung Strahl an', beamOff: 'Verzögerung Strahl aus', homeX: 'Start, x', homeY: 'Start, y', bedX0: 'Arbeitsbereich ab x', bedX1: 'Arbeitsbereich bis x', bedY0: 'Arbeitsbereich ab y', bedY1: 'Arbeitsbereich bis y', noBed: 'nicht bekannt', fullPower: 'Leistungswert bei voller Leistung',
@@ -412,7 +412,7 @@ export const de: Words = {
 
   table: {
     title: 'Schneidreihenfolge', rows: 'Zeilen der Schneidreihenfolge', close: 'Die Tabelle schließen', columns: ['Nr.', '', 'Layer', 'Länge', 'Beginnt', 'Einstich', 'Richtung'],
-    show: (n) => `Kontur ${n}, auf der Tafel zeigen`, move: (n) => `Kontur ${n} in der Reihenfolge verschieben: ziehen oder Pfeiltasten`, drag: 'Zum Festlegen Zeilen ziehen', inside: 'Was in einer Kontur liegt, wird vor ihr geschnitten; dorthin lässt sie sich nicht verschieben.',
+    show: (n) => `Nr. ${n}, auf der Tafel zeigen`, move: (n) => `Nr. ${n} in der Reihenfolge verschieben: ziehen oder Pfeiltasten`, drag: 'Zum Festlegen Zeilen ziehen', inside: 'Was in einer Kontur liegt, wird vor ihr geschnitten; dorthin lässt sie sich nicht verschieben.',
     reversed: 'umgekehrt', asDrawn: 'gezeichnet', open: 'offen',
   },
 

@@ -410,7 +410,7 @@ export const en = {
 
   table: {
     title: 'Cutting order', rows: 'Rows of the cutting order', close: 'Close the table', columns: ['No.', '', 'Layer', 'Length', 'Begins', 'Entry', 'Direction'],
-    show: (n: number) => `Contour ${n}, show on the sheet`, move: (n: number) => `Move contour ${n} in the order: drag, or arrow keys`, drag: 'Drag rows to fix their order', inside: 'What lies inside a contour is cut before it.',
+    show: (n: number) => `No. ${n}, show on the sheet`, move: (n: number) => `Move no. ${n} in the order: drag, or arrow keys`, drag: 'Drag rows to fix their order', inside: 'What lies inside a contour is cut before it.',
     reversed: 'reversed', asDrawn: 'as drawn', open: 'open',
   },
 

@@ -68,12 +68,12 @@ export const es: Words = {
 
   report: {
     machine: 'Máquina', kerf: 'Ancho de corte', material: 'Material', size: 'Tamaño', parts: 'Piezas', weight: 'Peso', printed: 'Impreso', picture: 'El recorrido del haz con orden y sentido',
-    time: 'Tiempo', job: 'Trabajo', cutting: 'Corte', air: 'Movimientos en vacío', piercing: 'Perforación', preCuts: 'Precortes', nearest: 'El más cercano primero', gap: 'Aún por ganar', noBound: 'todavía sin cota', nothing: 'nada: este recorrido es óptima',
+    time: 'Tiempo', job: 'Trabajo', cutting: 'Corte', air: 'Movimientos en vacío', piercing: 'Perforación', preCuts: 'Precortes', nearest: 'Más cercano', gap: 'Por ganar', noBound: 'aún sin cota', nothing: 'nada: este recorrido es óptimo',
     layers: 'Capas', layer: 'Capa', operation: 'Operación', contours: 'Contornos', contour: 'Contorno', length: 'Longitud', count: 'Cantidad', area: 'Área', toCut: 'Por cortar', holes: 'Agujeros',
-    findings: 'Observaciones', order: 'Orden de corte', no: 'N.º', begins: 'Empieza', entry: 'Entrada, mm', none: 'Ninguna.',
+    findings: 'Observaciones', order: 'Orden de corte', no: 'N.º', begins: 'Empieza', entry: 'Perforación, mm', none: 'Ninguna.',
     operations: { cut: 'cortar', mark: 'marcar', ignore: 'ignorar' }, severities: { error: 'error', warning: 'advertencia', info: 'nota' },
     readIn: (size, unit, source) => `${size}, leído en ${unit} (${{ header: 'lo dice el archivo', guessed: 'supuesto', given: 'elegido' }[source]})`, different: (n, kinds) => `${n}, ${kinds} distintas`,
-    along: (time, way) => `${time} para ${way}`, pierced: (time, n) => `${time} para ${n} perforaciones`, asDrawn: (nearest, drawn) => `${nearest}; como está dibujado ${drawn}`,
+    along: (time, way) => `${time} para ${way}`, pierced: (time, n) => `${time} para ${counted(n, String(n), 'perforación', 'perforaciones')}`, asDrawn: (nearest, drawn) => `${nearest}; orden dibujado ${drawn}`,
     atMost: (time) => `como mucho ${time}`, more: (rows) => `Y ${rows} más.`, times: (n) => `${n} veces`, at: (x, y) => `en ${x}; ${y}`,
     source: (version, seed, moves, drawing, quote) => `Kerfway ${version}, semilla ${seed}, ${moves} pasos. Dibujo ${drawing}, presupuesto ${quote}.`,
   },
@@ -191,7 +191,7 @@ export const es: Words = {
       replaced: 'Parado: hubo que reiniciar el planificador. El mejor recorrido se conserva.',
       stopped: 'Parado. El mejor recorrido se conserva.',
     },
-    improving: 'Se acabó el tiempo. Puede mejorar más.', quiet: (time) => `Listo. Nada mejor en los últimos ${time}.`, second: '1 s',
+    improving: 'Se acabó el tiempo. Puede mejorar más.', quiet: (time) => `Listo. Nada mejor desde hace ${time}.`, second: '1 s',
   },
 
   drawing: {
@@ -412,7 +412,7 @@ export const es: Words = {
 
   table: {
     title: 'Orden de corte', rows: 'Filas del orden de corte', close: 'Cerrar la tabla', columns: ['N.º', '', 'Capa', 'Longitud', 'Empieza', 'Perforación', 'Sentido'],
-    show: (n) => `Contorno ${n}, mostrar en la chapa`, move: (n) => `Mover el contorno ${n} en el orden: arrastre o use las flechas`, drag: 'Arrastre filas para fijar su orden', inside: 'Lo que está dentro de un contorno se corta antes que él, así que no se puede mover ahí.',
+    show: (n) => `N.º ${n}, mostrar en la chapa`, move: (n) => `Mover el n.º ${n} en el orden: arrastre o use las flechas`, drag: 'Arrastre filas para fijar su orden', inside: 'Lo que está dentro de un contorno se corta antes que él, así que no se puede mover ahí.',
     reversed: 'inverso', asDrawn: 'según dibujo', open: 'abierto',
   },
 

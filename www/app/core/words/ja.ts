@@ -64,11 +64,11 @@ export const ja: Words = {
   sentences,
 
   report: {
-    machine: '機械', kerf: 'カーフ幅', material: '材料', size: '大きさ', parts: '部品', weight: '重量', printed: '印刷', picture: 'ビームの経路（順番と向き）',
-    time: '時間', job: 'ジョブ', cutting: '切断', air: '空送り', piercing: 'ピアス', preCuts: '予備切断', nearest: '最も近い順', gap: '残る短縮余地', noBound: '下限はまだありません', nothing: 'なし：この経路が最適です',
+    machine: '機械', kerf: 'カーフ幅', material: '材料', size: '大きさ', parts: '部品', weight: '重さ', printed: '印刷', picture: 'ビームの経路（順番と向き）',
+    time: '時間', job: 'ジョブ', cutting: '切断', air: '空走', piercing: 'ピアス', preCuts: '予備切断', nearest: '近い順', gap: '残りの余地', noBound: '下界はまだありません', nothing: 'なし：この経路は最適です',
     layers: 'レイヤー', layer: 'レイヤー', operation: '加工', contours: '輪郭', contour: '輪郭', length: '長さ', count: '数', area: '面積', toCut: '切断長', holes: '穴',
-    findings: '検出事項', order: '切断順', no: '順番', begins: '開始', entry: '入口、mm', none: 'なし。',
-    operations: { cut: '切断', mark: 'マーク', ignore: '無視' }, severities: { error: 'エラー', warning: '警告', info: '情報' },
+    findings: '検出事項', order: '切断順', no: '番号', begins: '開始', entry: '切り始め、mm', none: 'なし。',
+    operations: { cut: '切断', mark: 'マーク', ignore: '無視' }, severities: { error: 'エラー', warning: '警告', info: '注記' },
     readIn: (size, unit, source) => `${size}、${unit} として読み取り（${{ header: 'ファイルの記載', guessed: '推定', given: '選択' }[source]}）`, different: (n, kinds) => `${n} 個、${kinds} 種類`,
     along: (time, way) => `${time}、${way}`, pierced: (time, n) => `${time}、ピアス ${n} 回`, asDrawn: (nearest, drawn) => `${nearest}；図面の順 ${drawn}`,
     atMost: (time) => `最大 ${time}`, more: (rows) => `ほか ${rows} 行。`, times: (n) => `${n} 回`, at: (x, y) => `位置 ${x}、${y}`,
@@ -409,7 +409,7 @@ export const ja: Words = {
 
   table: {
     title: '切断順', rows: '切断順の行', close: '表を閉じる', columns: ['番号', '', 'レイヤー', '長さ', '開始', '切り始め', '向き'],
-    show: (n) => `輪郭 ${n}、板の上に表示`, move: (n) => `輪郭 ${n} の順番を移動：ドラッグまたは矢印キー`, drag: '行をドラッグして順番を固定', inside: '輪郭の内側にあるものは先に切断するため、そこへは移動できません。',
+    show: (n) => `${n} 番目、板の上に表示`, move: (n) => `${n} 番目の順番を移動：ドラッグまたは矢印キー`, drag: '行をドラッグして順番を固定', inside: '輪郭の内側にあるものは先に切断するため、そこへは移動できません。',
     reversed: '逆向き', asDrawn: '図面どおり', open: '開',
   },
 

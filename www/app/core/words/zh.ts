@@ -65,12 +65,12 @@ export const zh: Words = {
 
   report: {
     machine: '机器', kerf: '割缝宽度', material: '材料', size: '尺寸', parts: '零件', weight: '重量', printed: '打印时间', picture: '光束路径，含顺序和方向',
-    time: '时间', job: '任务', cutting: '切割', air: '空移', piercing: '穿孔', preCuts: '预切', nearest: '最近优先', gap: '尚可节省', noBound: '尚无下界', nothing: '无：此路径已最优',
+    time: '时间', job: '任务', cutting: '切割', air: '空移', piercing: '穿孔', preCuts: '预切', nearest: '最近优先', gap: '还可节省', noBound: '尚无下界', nothing: '没有了：此路径是最优的',
     layers: '图层', layer: '图层', operation: '加工', contours: '轮廓', contour: '轮廓', length: '长度', count: '数量', area: '面积', toCut: '切割长度', holes: '孔',
-    findings: '检查结果', order: '切割顺序', no: '序号', begins: '开始', entry: '入口，mm', none: '无。',
-    operations: { cut: '切割', mark: '打标', ignore: '忽略' }, severities: { error: '错误', warning: '警告', info: '提示' },
+    findings: '检查结果', order: '切割顺序', no: '序号', begins: '开始', entry: '切入点，mm', none: '无。',
+    operations: { cut: '切割', mark: '打标', ignore: '忽略' }, severities: { error: '错误', warning: '警告', info: '说明' },
     readIn: (size, unit, source) => `${size}，按 ${unit} 读取（${{ header: '文件注明', guessed: '推测', given: '已选择' }[source]}）`, different: (n, kinds) => `${n} 个，${kinds} 种`,
-    along: (time, way) => `${time}，${way}`, pierced: (time, n) => `${time}，${n} 次穿孔`, asDrawn: (nearest, drawn) => `${nearest}；按图纸顺序 ${drawn}`,
+    along: (time, way) => `${time}，${way}`, pierced: (time, n) => `${time}，${n} 次穿孔`, asDrawn: (nearest, drawn) => `${nearest}；图的顺序 ${drawn}`,
     atMost: (time) => `最多 ${time}`, more: (rows) => `另有 ${rows} 行。`, times: (n) => `${n} 次`, at: (x, y) => `位于 ${x}，${y}`,
     source: (version, seed, moves, drawing, quote) => `Kerfway ${version}，种子 ${seed}，${moves} 步。图纸 ${drawing}，报价 ${quote}。`,
   },
@@ -409,7 +409,7 @@ export const zh: Words = {
 
   table: {
     title: '切割顺序', rows: '切割顺序的各行', close: '关闭表格', columns: ['序号', '', '图层', '长度', '开始', '切入点', '方向'],
-    show: (n) => `轮廓 ${n}，在板上显示`, move: (n) => `在顺序中移动轮廓 ${n}：拖动或用方向键`, drag: '拖动行以固定其顺序', inside: '轮廓内部的内容先于它切割，因此不能移到那里。',
+    show: (n) => `第 ${n} 个，在板上显示`, move: (n) => `在顺序中移动第 ${n} 个：拖动或用方向键`, drag: '拖动行以固定其顺序', inside: '轮廓内部的内容先于它切割，因此不能移到那里。',
     reversed: '反向', asDrawn: '按图', open: '未闭合',
   },
 
