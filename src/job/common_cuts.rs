@@ -1,6 +1,7 @@
 //! Findings on common cuts: what is saved by cutting a pierce group as one, and which are too large for the heuristic of a paper.
 
 use crate::finding::{Code, Finding, Severity};
+use crate::machine::PLANS_ALL_LEVERS;
 use crate::number::fixed;
 use crate::problem::{Item, Problem};
 use crate::sheet::{CommonCuts, PierceGroup, Sheet};
@@ -12,10 +13,15 @@ pub(super) fn findings(sheet: &Sheet, problem: &Problem) -> Vec<Finding> {
         let first = g.contours.first().and_then(|&c| problem.items.get(c as usize));
         first.is_some_and(Item::is_pierce_group)
     };
-    let groups = || sheet.pierce_groups().iter().filter(joined);
-    let is_too_large =
-        |g: &&PierceGroup| sheet.common_cuts == CommonCuts::Insertion && g.elements.len() > MOST_BY_INSERTION;
-    groups().map(saved).chain(groups().filter(is_too_large).map(too_large)).collect()
+    let by_insertion = PLANS_ALL_LEVERS && sheet.common_cuts == CommonCuts::Insertion;
+    let mut found = Vec::new();
+    for group in sheet.pierce_groups().iter().filter(joined) {
+        found.push(saved(group));
+        if by_insertion && group.elements.len() > MOST_BY_INSERTION {
+            found.push(too_large(group));
+        }
+    }
+    found
 }
 
 fn too_large(group: &PierceGroup) -> Finding {

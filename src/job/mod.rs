@@ -61,7 +61,7 @@ use crate::finding::{Code, Finding, Severity};
 use crate::geometry::{Path, Segment};
 use crate::machine::{PLANS_ALL_LEVERS, Process, Profile};
 use crate::order::sort_by;
-use crate::sheet::{self, Contour, Sheet, SheetOptions};
+use crate::sheet::{self, CommonCuts, Contour, Sheet, SheetOptions};
 
 /// One drawing through the whole flow.
 pub struct Job {
@@ -197,6 +197,10 @@ impl Job {
                 profile.name
             );
             return Err(FieldError::new(Fault::Contradiction, "machine.levers", message).into());
+        }
+        if !PLANS_ALL_LEVERS && self.sheet.common_cuts == CommonCuts::Insertion {
+            let sentence = "This build of Kerfway has no insertion heuristic. Leave out \"commonCuts\", or load the whole package.";
+            return Err(JobError::Conflict { field: "commonCuts", sentence });
         }
         corners::check(&self.sheet, profile)?;
         bridges::check(&self.sheet, profile)?;

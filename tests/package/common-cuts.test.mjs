@@ -4,10 +4,11 @@ import assert from 'node:assert/strict';
 import { after, before, describe, it } from 'node:test';
 import { createPlanner } from 'kerfway';
 
-/** Rectangles of 20 by 10 in a row, each a closed polyline. */
-function row(count) {
-  const corners = (x) => [[x, 0], [x + 20, 0], [x + 20, 10], [x, 10]].map(([a, b]) => `10\n${a}\n20\n${b}\n`).join('');
-  const shapes = Array.from({ length: count }, (_, k) => `0\nLWPOLYLINE\n8\n0\n90\n4\n70\n1\n${corners(20 * k)}`).join('');
+/** Rectangles of 20 by 10 in rows, each a closed polyline. */
+function row(count, rows = 1) {
+  const corners = (x, y) => [[x, y], [x + 20, y], [x + 20, y + 10], [x, y + 10]].map(([a, b]) => `10\n${a}\n20\n${b}\n`).join('');
+  const shape = (k) => `0\nLWPOLYLINE\n8\n0\n90\n4\n70\n1\n${corners(20 * (k % count), 10 * Math.floor(k / count))}`;
+  const shapes = Array.from({ length: count * rows }, (_, k) => shape(k)).join('');
   return new TextEncoder().encode(`0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n${shapes}0\nENDSEC\n0\nEOF\n`);
 }
 
@@ -46,6 +47,19 @@ describe('contours with common cuts', () => {
     assert.equal((await planned()).document.summary.pierces, 3);
     await planner.reload({});
     assert.equal((await planned()).document.summary.pierces, 1);
+  });
+
+  it('are cut by the insertion heuristic of a paper, which planning without workers refuses', async (t) => {
+    const seconds = {};
+    for (const commonCuts of ['best', 'insertion']) {
+      await planner.load(row(5, 5), 'rows.dxf', { commonCuts });
+      seconds[commonCuts] = (await planned()).document.summary.total_time;
+    }
+    assert.ok(seconds.insertion > seconds.best, JSON.stringify(seconds));
+    const here = await createPlanner({ worker: false });
+    t.after(() => here.close());
+    await here.load(row(5, 5), 'rows.dxf', { commonCuts: 'insertion' });
+    await assert.rejects(here.plan({ machine: thick, moves: 1 }).done, { code: 'not-in-this-build' });
   });
 
   it('end with a path when stopped at once', async () => {

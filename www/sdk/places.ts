@@ -8,8 +8,8 @@ import type { WasmBytes, WasmModule } from './wasm-module.js';
 export interface Places {
   /**
    * `false`: plan in the caller's thread instead of a worker, in slices of some milliseconds between which the event loop runs.
-   * For places that have no workers. It has everything except the PNG renderer, the reader of SVG, the methods from papers, and the levers `fly`,
-   * `chains`, `bridges`, `common_cuts`, `tips`, `heat` and `corners`.
+   * For places that have no workers. It has everything except the PNG renderer, the reader of SVG, the methods from papers (with
+   * `commonCuts: insertion`), and the levers `fly`, `chains`, `bridges`, `common_cuts`, `tips`, `heat` and `corners`.
    */
   worker?: boolean;
   /**

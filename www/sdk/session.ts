@@ -20,7 +20,7 @@ type Research = typeof import('./pkg/kerfway_research.js');
 /** What a session needs from the platform it runs on. */
 export interface Host extends WriterFiles {
   post(message: FromWorker, transfer?: ArrayBuffer[]): void;
-  /** Loads the research build, when an SVG file, a method from a paper or a lever that the core leaves out is first used. */
+  /** Loads the research build, when an SVG file, a method or heuristic from a paper or a lever that the core leaves out is first used. */
   research(): Promise<Research>;
 }
 
@@ -177,7 +177,8 @@ export class Session {
   private needsResearch({ method, machine }: PlanOptions): boolean {
     const isPaper = method !== undefined && !planner.methods().some((m) => m.name === method);
     const levers = typeof machine === 'object' ? machine.levers : undefined;
-    return this.build === planner && (isPaper || NOT_IN_CORE.some((lever) => levers?.[lever] != null));
+    const inserts = this.source.options.commonCuts === 'insertion';
+    return this.build === planner && (isPaper || inserts || NOT_IN_CORE.some((lever) => levers?.[lever] != null));
   }
 
   /** Loads the research build and does there what a request asks for. Messages that arrive meanwhile wait. */

@@ -22,6 +22,7 @@ mod net;
 mod strokes;
 
 use crate::geometry::DVec2;
+use crate::machine::PLANS_ALL_LEVERS;
 use crate::order::{real, sort_by};
 use crate::problem::{GroupMethod, GroupProblems, Stroke, SubPath};
 pub use insertion::MOST as MOST_BY_INSERTION;
@@ -46,7 +47,8 @@ pub fn paths(problems: &GroupProblems) -> Vec<Vec<SubPath>> {
     let mut bridged = Bridged::default();
     let through = |group| {
         let net = Net::new(group, problems.machine, problems.is_all);
-        if problems.method == GroupMethod::Insertion && net.len() <= MOST_BY_INSERTION {
+        let inserts = PLANS_ALL_LEVERS && problems.method == GroupMethod::Insertion;
+        if inserts && net.len() <= MOST_BY_INSERTION {
             let by_insertion = inserted(&net);
             if !by_insertion.is_empty() {
                 return by_insertion;
