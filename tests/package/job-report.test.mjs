@@ -37,6 +37,17 @@ it('has the figures of the plan, each part, the order, and nothing that runs or 
   assert.equal(picture, await planner.output('svg'));
 });
 
+it('names entries in the coordinates of the program: the command line had those of the drawing for a job that is placed elsewhere', async (t) => {
+  const at = folder(t);
+  const [file, page, program] = ['plate.dxf', 'plate.html', 'plate.nc'].map((name) => join(at, name));
+  writeFileSync(file, PLATE);
+  await run(process.execPath, [CLI, 'plan', file, '--units', 'mm', '--moves', '500', '--seed', '1', '--place', 'lower-left@100,200', '--report', page, '--gcode', program]);
+  const [, x, y] = /G0 X([\d.]+) Y([\d.]+)\n.*cut contour/.exec(readFileSync(program, 'utf8'));
+  const [, entry] = /<td>([\d.]+, [\d.]+)<\/td>/.exec(readFileSync(page, 'utf8').split('Entry, mm')[1]);
+  assert.equal(entry, `${+(+x).toFixed(2)}, ${+(+y).toFixed(2)}`);
+  assert.ok(x >= 100 && y >= 200, `${x}, ${y}`);
+});
+
 /** Contour and layer of each row of the order. */
 const rowsOf = (page) => [...page.matchAll(/<tr><td>\d+<\/td><td>([^<]*)<\/td><td>([^<]*)<\/td><td>[\d.]+ s<\/td>/g)].map(([, contour, layer]) => `${contour} ${layer}`);
 

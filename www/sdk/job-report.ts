@@ -23,6 +23,8 @@ export interface ReportInput {
   svg: string;
   /** The contours that the numbers of the path refer to, if the plan has them: with passes sheet by sheet, a kerf width, and the like. */
   beam?: Beam | null;
+  /** The placement of the plan: entries are named in the coordinates of the machine, as in the program. Default: those of the drawing. */
+  shift?: [number, number];
   /** The program in G-code, whose checksum the report then has: that of the program in the machine must be the same. */
   program?: string | null;
   /** Findings of the plan; those of the drawing are in `loaded`. */
@@ -83,7 +85,7 @@ ${section(w.order, order(job, text), 'order')}
 
 /** Throws a `KerfwayError` that names the first field which is not what a report is made of. */
 function checkInput(job: Partial<ReportInput> | null): void {
-  const { loaded, summary, baselines, path, quote, svg, program, beam, findings = [], date = new Date(0) } = job ?? {};
+  const { loaded, summary, baselines, path, quote, svg, program, beam, shift = [0, 0], findings = [], date = new Date(0) } = job ?? {};
   const fits: Partial<Record<keyof ReportInput, boolean>> = {
     loaded: isList(loaded?.contours) && isList(loaded.parts) && isList(loaded.findings) && isRecord(loaded.geometry),
     summary: typeof summary?.total_time === 'number',
@@ -93,6 +95,7 @@ function checkInput(job: Partial<ReportInput> | null): void {
     svg: typeof svg === 'string',
     program: program == null || typeof program === 'string',
     beam: beam == null || isList(beam.contours),
+    shift: isList(shift) && shift.length === 2 && shift.every(Number.isFinite),
     findings: isList(findings),
     date: date instanceof Date && !Number.isNaN(date.getTime()),
   };
@@ -138,7 +141,7 @@ function findings({ loaded, findings: ofPlan = [] }: ReportInput, { words: w, nu
 }
 
 /** Contours have the numbers of programs and options, which begin with 0; with several passes, also which one it is, or how many follow each other. */
-function order({ path, loaded, quote, beam }: ReportInput, text: ReportText): string {
+function order({ path, loaded, quote, beam, shift: [dx, dy] = [0, 0] }: ReportInput, text: ReportText): string {
   const { words: w, duration, number } = text;
   const all = beam?.contours ?? loaded.contours;
   const rows = Array.from(path.contours.slice(0, MOST_ROWS), (id, k): Cell[] => {
@@ -153,7 +156,8 @@ function order({ path, loaded, quote, beam }: ReportInput, text: ReportText): st
     }
     const passes = loaded.layers.find((l) => l.name === contour?.layer)?.settings?.passes ?? quote.machine[contour?.operation === 'mark' ? 'mark' : 'cut'].passes ?? 1;
     const which = passes > 1 ? ` (${quote.options['pass_order'] === 'sheet' ? `${passes - later}/${passes}` : w.times(passes)})` : '';
-    return [k + 1, (contour?.id ?? id) + which, contour?.layer ?? '', duration(path.times[2 * k] ?? 0), `${number(path.points[4 * k] ?? 0)}, ${number(path.points[4 * k + 1] ?? 0)}`];
+    const [x = 0, y = 0] = [path.points[4 * k], path.points[4 * k + 1]];
+    return [k + 1, (contour?.id ?? id) + which, contour?.layer ?? '', duration(path.times[2 * k] ?? 0), `${number(x + dx)}, ${number(y + dy)}`];
   });
   const more = path.contours.length - rows.length;
   return table(text, [w.no, w.contour, w.layer, w.begins, w.entry], rows) + (more > 0 ? `<p>${escaped(w.more(more))}</p>` : '');

@@ -1,20 +1,12 @@
 /** The report of a job, and how it is written: in the language and the unit of lengths of the page. Loaded when somebody asks for a report. */
 
-import { type BestPath, ENGLISH_REPORT, type ReportText } from 'kerfway';
+import { ENGLISH_REPORT, type ReportText } from 'kerfway';
 import { area, extent, metres, millimetres, seconds, upTo } from '../core/format.js';
 import { lengthUnit, shownIn } from '../core/lengths.js';
 import { sentenceOf } from '../core/strings.js';
 import { language, words } from '../core/words/index.js';
-import { shiftOf } from './placing.js';
-import type { State } from './state.js';
 
 export { jobReport } from 'kerfway';
-
-/** A path in the coordinates of the machine, which its program has. */
-export function placed(path: BestPath, { placing, loaded }: State): BestPath {
-  const shift = shiftOf(placing, loaded);
-  return { ...path, points: path.points.map((value, i) => value + shift[i % 2]!) };
-}
 
 export function reportText(): ReportText {
   const { unit, factor } = shownIn('mm');

@@ -12,7 +12,7 @@ import { Catalog } from './catalog.js';
 import { Drawing, type Source } from './drawing.js';
 import { type Choices, History } from './history.js';
 import type { Decided } from './kept-sample.js';
-import type { Placing } from './placing.js';
+import { type Placing, shiftOf } from './placing.js';
 import { keptPlan } from './kept-plan.js';
 import { Planning } from './planning.js';
 import { rememberedMachine, rememberMachine } from './profiles.js';
@@ -189,13 +189,13 @@ export class Session {
 
   /** The report of the best plan, as HTML; null while there is none. */
   async report(): Promise<string | null> {
-    const { loaded, progress, baselines, path, beam, planFindings: findings } = this.state;
+    const { loaded, progress, baselines, path, beam, placing, planFindings: findings } = this.state;
     if (loaded === null || progress === null || baselines === null || path === null) return null;
     const [svg, quote] = [(await this.output('svg')) as string, await this.quote({})];
     // What cannot be written has no program.
     const program = (await this.output('gcode').catch(() => null)) as string | null;
-    const { jobReport, placed, reportText } = await import('./report-text.js');
-    return jobReport({ loaded, summary: progress.summary, baselines, path: placed(path, this.state), beam, findings, svg, program, quote, date: new Date(), text: reportText() });
+    const { jobReport, reportText } = await import('./report-text.js');
+    return jobReport({ loaded, summary: progress.summary, baselines, path, beam, findings, shift: shiftOf(placing, loaded), svg, program, quote, date: new Date(), text: reportText() });
   }
 
   /** The planner, to be asked about the best plan. */

@@ -48,11 +48,11 @@ function refused(sentence: string, kind: string, outputs: readonly Output[]): st
 }
 
 /** The report of a job, with the picture and the checksum of the program that are written beside it: both come before it in `OUTPUTS`. */
-async function reported(planner: Planner, loaded: Loaded, { progress: { summary, path }, baselines, beam, findings }: PlanResult, written: readonly Written[]): Promise<string> {
+async function reported(planner: Planner, loaded: Loaded, { progress: { summary, path }, baselines, beam, findings, shift }: PlanResult, written: readonly Written[]): Promise<string> {
   if (path === null) throw new KerfwayError('planner-died', 'The plan ended before it had a path.');
   const beside = (kind: OutputKind) => written.find(({ output }) => output.kind === kind)?.data as string | undefined;
   const [program, svg] = [beside('gcode') ?? null, beside('svg') ?? (await planner.output('svg'))];
-  return jobReport({ loaded, summary, baselines, path, beam, findings, program, quote: await planner.quote(), svg });
+  return jobReport({ loaded, summary, baselines, path, beam, findings, shift, program, quote: await planner.quote(), svg });
 }
 
 /** The certificate of the bound. */
