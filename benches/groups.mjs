@@ -27,29 +27,33 @@ export async function bench(args) {
   const { createPlanner } = await import(pathToFileURL(join(DIST, 'sdk', 'node.js')).href);
   const lines = [];
   for (const side of SIDES.filter((n) => n * n <= Number(values.most))) {
-    const [off, best, insertion] = [await first('off'), await first('best'), await first('insertion')];
-    const by = insertion.isLeftOut ? ['not used', ''] : [`${insertion.seconds.toFixed(1)} s`, `${insertion.job.toFixed(1)} s`];
-    lines.push([`${side} x ${side}`, ...[off, best].map(({ seconds }) => `${seconds.toFixed(1)} s`), (best.seconds / off.seconds).toFixed(1), by[0], ...[off, best].map(({ job }) => `${job.toFixed(1)} s`), by[1]]);
-
-    async function first(commonCuts) {
-      const planner = await createPlanner();
-      const options = { moves: 1, machine: { ...planner.machines.find((m) => m.name === 'fibre-6kw-thick'), pre_cut_time: 0.3 }, allowOffBed: true };
-      // The first plan also loads the wasm file that it needs.
-      await planner.load(grid(2), 'grid.dxf', { commonCuts });
-      await planner.plan(options).done;
-      await planner.load(grid(side), 'grid.dxf', { commonCuts });
-      const start = performance.now();
-      const run = planner.plan(options);
-      const { findings } = await run.started;
-      const seconds = (performance.now() - start) / 1000;
-      const { progress } = await run.done;
-      planner.close();
-      return { seconds, job: progress.summary.total_time, isLeftOut: findings.some((f) => f.message.startsWith('The insertion heuristic')) };
-    }
+    const [off, best, insertion] = [await first(createPlanner, side, 'off'), await first(createPlanner, side, 'best'), await first(createPlanner, side, 'insertion')];
+    const [[offTakes, offJob], [bestTakes, bestJob]] = [off, best].map(written);
+    const [insertionTakes, insertionJob] = insertion.isLeftOut ? ['not used', ''] : written(insertion);
+    lines.push([`${side} x ${side}`, offTakes, bestTakes, (best.seconds / off.seconds).toFixed(1), insertionTakes, offJob, bestJob, insertionJob]);
   }
   const columns = ['', 'one by one', 'together', 'ratio', 'insertion', 'job: one by one', 'together', 'insertion'];
   table('Seconds before the search begins, of squares that share their sides', columns, lines);
 }
+
+/** The first path of a grid: the seconds until it is there, and those of its job. */
+async function first(createPlanner, side, commonCuts) {
+  const planner = await createPlanner();
+  const options = { moves: 1, machine: { ...planner.machines.find((m) => m.name === 'fibre-6kw-thick'), pre_cut_time: 0.3 }, allowOffBed: true };
+  // The first plan also loads the wasm file that it needs.
+  await planner.load(grid(2), 'grid.dxf', { commonCuts });
+  await planner.plan(options).done;
+  await planner.load(grid(side), 'grid.dxf', { commonCuts });
+  const start = performance.now();
+  const run = planner.plan(options);
+  const { findings } = await run.started;
+  const seconds = (performance.now() - start) / 1000;
+  const { progress } = await run.done;
+  planner.close();
+  return { seconds, job: progress.summary.total_time, isLeftOut: findings.some((f) => f.message.startsWith('The insertion heuristic')) };
+}
+
+const written = ({ seconds, job }) => [seconds, job].map((value) => `${value.toFixed(1)} s`);
 
 /** Squares that touch, as DXF. */
 function grid(side) {
