@@ -215,7 +215,7 @@ impl<'s> Net<'s> {
         self.machine.beam_delays()
     }
 
-    /// Seconds of an average air move; factors from 0.6 to 2 give grids of the same quality.
+    /// Seconds of an average air move.
     pub(super) fn average_way(&self) -> f64 {
         let count = self.nodes().count().max(1) as f64;
         self.nodes().map(|n| self.way(n, 0)).sum::<f64>() / count

@@ -43,7 +43,9 @@ pub struct AcoPso {
 impl Default for AcoPso {
     fn default() -> Self {
         let Pso { settings, weights, .. } = Pso::default();
-        // Exponents and evaporation rate of the ant system (Dorigo & Stützle 2004, box 3.1).
+        // Exponents of the ant system (Dorigo & Stützle 2004, box 3.1). The rate is that of the rank-based one in this box: with
+        // the 0.5 of the plain one the mean on the 43 contours is 1.0 % longer from the fixed start and 0.8 % shorter from a
+        // random one (docs/papers/qu-du-2023.md).
         let (again, trail, nearness, evaporation) = (10, 1.0, 3.0, 0.1);
         Self { settings, weights, again, trail, nearness, evaporation }
     }

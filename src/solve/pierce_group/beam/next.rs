@@ -9,14 +9,14 @@ use super::state::State;
 const JUMPS: usize = 3;
 
 impl Places {
-    /// Calls `visit` with each step that may be put back at the end of a state, or (`true`) after a jump.
-    pub(super) fn steps(&self, net: &Net, state: &State, mut visit: impl FnMut(Step, bool)) {
+    /// The steps that may be put back at the end of a state and, with `true`, after a jump.
+    pub(super) fn steps(&self, net: &Net, state: &State) -> Vec<(Step, bool)> {
         let open =
             |node: u32| self.arriving[node as usize].iter().copied().filter(|&s| state.may_take(net, s));
         let here = state.at.here;
-        open(here).for_each(|s| visit(s, false));
+        let mut steps: Vec<_> = open(here).map(|s| (s, false)).collect();
         if state.at.after.is_none() {
-            return;
+            return steps;
         }
         // With one element left, with an odd number, with an even one.
         let mut ends: [Vec<u32>; 3] = Default::default();
@@ -37,7 +37,8 @@ impl Places {
         }
         let [last, odd, even] = &ends;
         for &node in last.iter().chain(odd.iter().chain(even).take(JUMPS)) {
-            open(node).for_each(|s| visit(s, true));
+            steps.extend(open(node).map(|s| (s, true)));
         }
+        steps
     }
 }

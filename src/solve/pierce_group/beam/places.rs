@@ -6,6 +6,9 @@ use crate::order::{real, sort_by};
 
 /// Nearest nodes of each node that are looked through first: all of 2,000 would take 16 MB.
 const NEAREST: usize = 256;
+/// Nearest nodes that an average air move is taken over. On 30 sheets of 16 to 900 parts and four machines that make pre-cuts
+/// the job took 4.9 % less with 16 than with all nodes, 4.5 % less with 4 and 4.8 % less with 12 and 24 (`npm run bench -- groups`).
+const AVERAGED: usize = 16;
 /// Cosine of the largest angle at which an element counts as straight on.
 const STRAIGHT: f64 = 0.99;
 
@@ -43,6 +46,14 @@ impl Places {
     /// The step that leads straight to another one.
     pub(super) fn straight_on(&self, step: Step) -> Option<Step> {
         self.straight[step as usize]
+    }
+
+    /// Seconds of an average air move from a node to one near to it.
+    pub(super) fn average_way(&self, net: &Net) -> f64 {
+        let ways = |n: u32| self.near[n as usize].iter().take(AVERAGED).map(move |&to| net.way(n, to));
+        let (sum, count) =
+            net.nodes().flat_map(ways).fold((0.0, 0_u32), |(sum, count), way| (sum + way, count + 1));
+        sum / f64::from(count.max(1))
     }
 
     /// Areas around a node.
