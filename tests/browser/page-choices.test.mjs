@@ -51,8 +51,8 @@ test('a method from a paper is chosen, shows its figures, takes parameters and i
 
 test('an invalid parameter is explained in a sentence, the drawing stays, and the choice can be undone', async (t) => {
   const { page } = await openPage(t, { hash: 'method=rlsga&seconds=300' });
-  await page.waitForFunction(() => document.querySelector('[aria-label=Method]')?.value === 'rlsga');
   await open(page, 'Plan');
+  await page.waitForFunction(() => document.querySelector('[aria-label=Method]')?.value === 'rlsga');
   await open(page, 'Parameters');
   await page.getByLabel('Population').fill('-1');
   await page.waitForFunction(() => document.querySelector('.dock-head').textContent.startsWith('The parameter '));

@@ -148,11 +148,16 @@ export function steady(page, selector, frames = 40) {
   }), [selector, frames]);
 }
 
-/** Sets how long is searched, as a preparation: nobody presses anything. */
-export const searchFor = (page, seconds) => page.getByLabel('Search for').evaluate((list, seconds) => {
-  list.value = String(seconds);
-  list.dispatchEvent(new Event('change'));
-}, seconds);
+/** Sets how long is searched, as a preparation: nobody presses anything, and the section with the list of times is as before. */
+export async function searchFor(page, seconds) {
+  const section = page.locator('details.section', { has: page.getByRole('heading', { name: 'Plan', exact: true, includeHidden: true }) });
+  const before = await section.evaluate((d) => [d.open, (d.open = true)][0]);
+  await section.getByLabel('Search for').evaluate((list, seconds) => {
+    list.value = String(seconds);
+    list.dispatchEvent(new Event('change'));
+  }, seconds);
+  await section.evaluate((d, open) => (d.open = open), before);
+}
 
 /** Waits for so many frames of the page. */
 export function nextFrames(page, count) {

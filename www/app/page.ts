@@ -17,8 +17,8 @@ import { dock } from './panels/dock.js';
 import { firstMachine } from './panels/first-machine.js';
 import { drawingPanel } from './panels/drawing.js';
 import { machineSection } from './panels/machine-section.js';
-import { placementPanel } from './panels/placement.js';
-import { planPanel } from './panels/plan.js';
+import { placementSection } from './panels/placement-section.js';
+import { planSection } from './panels/plan-section.js';
 import { questionCard } from './panels/question.js';
 import { resultPanel } from './panels/result.js';
 import { laterSection } from './panels/section.js';
@@ -32,7 +32,6 @@ import { Keeper } from './session/keeper.js';
 import { keepSample, keptSample } from './session/kept-sample.js';
 import { isRefusedOffBed } from './session/off-bed.js';
 import { bedAround } from './session/placing.js';
-import { Preview } from './session/preview.js';
 import { fetchSample, SAMPLES } from './session/samples.js';
 import { Session } from './session/session.js';
 import { longestTime } from './session/state.js';
@@ -52,7 +51,6 @@ export async function startPage(): Promise<void> {
   sampleBytes.catch(() => {}); // `openSample` reports it.
   const shared = readAddress();
   const session = new Session(shared);
-  const preview = new Preview(session);
   const theme = new Theme();
   const playback = new Playback();
   const viewport = new Viewport();
@@ -97,16 +95,16 @@ export async function startPage(): Promise<void> {
     await keeper.forget();
     notices.show(words.page.forgotten);
   };
-  const drawing = drawingPanel(session, preview, { keeper, forget: () => void forget() }, showPlaceOf, (contour) => selection.reveal(contour), (contours) => selection.selectAll(contours));
+  const drawing = drawingPanel(session, (marks) => scene.highlight({ marks }), { keeper, forget: () => void forget() }, showPlaceOf, (contour) => selection.reveal(contour), (contours) => selection.selectAll(contours));
   const showInList = (finding: Finding) => {
     drawing.open = true;
     drawing.findings.reveal(finding);
   };
-  const placement = placementPanel(session, { drag: (on) => pointer.dragJob(on), showBed: () => showBed(session, viewport) });
+  const placement = placementSection(session, notify, { drag: (on) => pointer.dragJob(on), showBed: () => showBed(session, viewport) });
   const pointer: Pointer = new Pointer(canvas, scene, session, playback, selection, notices, announcer, showInList, (on) => placement.setDragging(on));
   const place = () => {
     layout.showPanel();
-    placement.reveal();
+    void placement.reveal();
   };
   const program = () => (isRefusedOffBed(session.state) ? place() : void files.download(session.state.machine?.takes ?? 'gcode'));
   bindKeyboard({ session, playback, viewport, files, layout, pointer, selection, help, flip: tools.flip, program });
@@ -120,12 +118,11 @@ export async function startPage(): Promise<void> {
     viewport.fit(false);
   } });
   new JobView({ session, scene, playback, announcer, notices, selection, orders, showStage: () => layout.closeSheet(), showCommon: tools.common });
-  preview.on('comparison', (comparison) => scene.highlight({ marks: comparison?.marks ?? [] }));
 
   const quote = laterSection(words.quote.title, async (section) => (await import('./panels/quote.js')).quoteContent(session, section, notify), notify);
   element('top').replaceChildren(...top.nodes);
   element('sections').replaceChildren(
-    firstMachine(session), drawing, machineSection(session, notify, { chooseHome: () => pointer.chooseHome(), placeJoints: (show) => pointer.togglePlacing(show) }), placement, planPanel(session),
+    firstMachine(session), drawing, machineSection(session, notify, { chooseHome: () => pointer.chooseHome(), placeJoints: (show) => pointer.togglePlacing(show) }), placement.root, planSection(session, notify),
     resultPanel(session, theme, { download: (kind) => void files.download(kind), saveProject: () => void files.saveProject(), saveReport: () => void files.saveReport(), copyProgram: () => void files.copyProgram() }, alternatives), quote.root);
   element('dock').append(dock(session, { open: () => files.choose(), program, place, sheet: () => layout.toggleSheet() }));
   dragSheet(document.querySelector('.dock-state')!, element('sections'), { open: () => document.body.classList.contains('sheet-open'), toggle: () => layout.toggleSheet() });

@@ -3,15 +3,17 @@
 import { button, h, setText } from '../core/dom.js';
 import { count, extent } from '../core/format.js';
 import { leave, refill } from '../core/refill.js';
+import { messageOf } from '../core/strings.js';
 import { activeContours, type Finding, type Loaded } from 'kerfway';
+import type { ChangeMark } from '../session/comparison.js';
 import type { Keeper } from '../session/keeper.js';
-import type { Preview } from '../session/preview.js';
 import { partsOf } from '../session/parts.js';
+import { namesContours } from '../session/rules.js';
 import type { Session } from '../session/session.js';
 import { findingActions } from './finding-actions.js';
 import { FindingList, problemCounts } from './findings.js';
 import { layerList } from './layers.js';
-import { Pins } from './pins.js';
+import type { Pins } from './pins.js';
 import { laterDetails, section } from './section.js';
 import { words } from '../core/words/index.js';
 
@@ -20,7 +22,8 @@ const ROOMY = 1000;
 /** How many shapes with several copies are listed. */
 const COPIES = 4;
 
-export function drawingPanel(session: Session, preview: Preview, { keeper, forget }: { keeper: Keeper; forget: () => void }, onFinding: (finding: Finding) => void, onContour: (contour: number) => void, onContours: (contours: readonly number[]) => void): HTMLDetailsElement & { findings: FindingList } {
+/** `mark` marks on the sheet what other tolerances would change. */
+export function drawingPanel(session: Session, mark: (changes: ChangeMark[]) => void, { keeper, forget }: { keeper: Keeper; forget: () => void }, onFinding: (finding: Finding) => void, onContour: (contour: number) => void, onContours: (contours: readonly number[]) => void): HTMLDetailsElement & { findings: FindingList } {
   const { root, body, setGist } = section(words.drawing.title, innerHeight >= ROOMY);
   // Whether the person has opened the section, which stays open then.
   let opened = false;
@@ -29,10 +32,24 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
   const copies = h('div', { class: 'copies' });
   const counts = h('p', { class: 'soft' });
   const findings = new FindingList(onFinding, (finding) => findingActions(session, finding));
-  const pins = new Pins(session, onContour);
+  // Most jobs have no pinned or skipped contours, so their lists are loaded with the first one.
+  const pins = h('div', { hidden: true });
+  let lists: Promise<Pins> | null = null;
+  const loadPins = async () => {
+    const made = new (await import('./pins.js')).Pins(session, onContour);
+    pins.replaceWith(made.root);
+    return made;
+  };
+  const showPins = () => {
+    if (lists === null && !namesContours(session.state.load)) return;
+    (lists ??= loadPins()).then((made) => made.show(), (error) => {
+      lists = null;
+      session.store.notify(messageOf(error));
+    });
+  };
   const kept = h('p', { class: 'soft kept', hidden: true }, words.page.kept, ' ', button(words.page.forget, { class: 'quiet small', onclick: forget }));
-  const tolerances = laterDetails(words.drawing.tolerances, async () => (await import('./tolerances.js')).tolerances(session, preview), (sentence) => session.store.notify(sentence));
-  const content = h('div', { class: 'stack' }, counts, copies, layers, pins.root, findings.root, tolerances, kept);
+  const tolerances = laterDetails(words.drawing.tolerances, async () => (await import('./tolerances.js')).tolerances(session, mark), (sentence) => session.store.notify(sentence));
+  const content = h('div', { class: 'stack' }, counts, copies, layers, pins, findings.root, tolerances, kept);
   const empty = h('p', { class: 'soft unread' }, words.drawing.none);
   body.append(empty, content);
 
@@ -79,7 +96,7 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
     }
     const contours = activeContours(loaded);
     refill(layers, layerList(session, loaded));
-    pins.show();
+    showPins();
     showCounts(loaded, contours);
     showCopies(loaded);
     showFindings();
@@ -111,6 +128,8 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
     if (!keeper.keeps) leave(kept);
     kept.hidden = !keeper.keeps;
   };
+  // The next choice is made in lists that have the one before, although the drawing is still being read with it.
+  session.store.on('decided', showPins);
   keeper.on('change', showKept);
   session.store.on('loaded', showKept);
   session.store.on('cleared', show);

@@ -19,10 +19,7 @@ export class Pins {
   /** The handle that is moved by keyboard: it gets the focus again when its list was made again. */
   private moving: string | null = null;
 
-  constructor(private readonly session: Session, private readonly onContour: (contour: number) => void) {
-    // The next choice is made in lists that have the one before, although the drawing is still being read with it.
-    session.store.on('decided', () => this.show());
-  }
+  constructor(private readonly session: Session, private readonly onContour: (contour: number) => void) {}
 
   show(): void {
     const { load } = this.session.state;

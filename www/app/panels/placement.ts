@@ -1,37 +1,35 @@
-/** Where the job lies on the bed: as drawn, or one of nine points of the job at a place; turning, dragging, and what the coordinates mean. */
+/**
+ * The controls for where the job lies on the bed: as drawn, or one of nine points of the job at a place; turning, dragging, and what the coordinates
+ * mean.
+ */
 
 import { button, disable, h, setText } from '../core/dom.js';
 import { size } from '../core/format.js';
 import { shownIn, typed, written } from '../core/lengths.js';
 import { leave } from '../core/refill.js';
-import { sentenceOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
 import { type Anchor, ANCHORS, type Place } from 'kerfway';
-import { anchoredAt, AS_DRAWN, fitsBed, jobBox, shiftOf } from '../session/placing.js';
+import { anchoredAt, AS_DRAWN, fitsBed, jobBox } from '../session/placing.js';
 import { isRefusedOffBed, reachOf } from '../session/off-bed.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
-import { check, field, section, select } from './section.js';
+import { type PlacementActions, whyOff } from './placement-section.js';
+import { check, field, select } from './section.js';
 
 /** The rows of the picker from the top, as the points lie on the bed. */
 const ROWS: readonly (readonly Anchor[])[] = [ANCHORS.slice(6, 9), ANCHORS.slice(3, 6), ANCHORS.slice(0, 3)];
 
-export interface PlacementActions {
-  /** Lets the person drag the job on the bed, or ends it. */
-  drag(on: boolean): void;
-  /** Shows the whole bed. */
-  showBed(): void;
-}
-
-export interface PlacementPanel extends HTMLDetailsElement {
+export interface PlacementControls {
+  root: HTMLElement;
   /** Shows whether the job is being dragged. */
   setDragging(on: boolean): void;
-  /** Opens the section, with the focus on what brings the job onto the bed. */
-  reveal(): void;
+  /** The last control of those that bring the job onto the bed. */
+  end: HTMLElement;
+  /** Puts the focus on what brings the job onto the bed. */
+  focus(): void;
 }
 
-export function placementPanel(session: Session, actions: PlacementActions): PlacementPanel {
-  const { root, body, setGist } = section(words.placement.title, false);
+export function placementControls(session: Session, actions: PlacementActions): PlacementControls {
   const mode = select<'drawn' | 'placed'>((chosen) => {
     const { loaded, placing } = session.state;
     if (loaded) session.setPlacing({ place: chosen === 'drawn' ? null : anchoredAt('lower-left', placing, loaded) });
@@ -66,14 +64,11 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
   } });
   const alert = h('div', { class: 'suggestion grave' }, h('div', { class: 'advice stack' }, refused, advice), corner);
   const none = h('p', { class: 'soft' }, words.placement.noBed);
-  const content = h('div', { class: 'stack' }, none, field(words.placement.position, mode.root), where, h('div', { class: 'row' }, turnLeft, turnRight), h('div', { class: 'row' }, drag, show), field(words.placement.coordinates, start.root), fits, alert, allow.root);
-  body.append(content);
+  const root = h('div', { class: 'stack' }, none, field(words.placement.position, mode.root), where, h('div', { class: 'row' }, turnLeft, turnRight), h('div', { class: 'row' }, drag, show), field(words.placement.coordinates, start.root), fits, alert, allow.root);
 
   const refresh = () => {
-    const { loaded, machine, placing, load, planFindings, phase } = session.state;
-    // It has its place before there is a drawing, so that the sections below stay where they are.
-    root.hidden = loaded === null && phase === 'failed';
-    content.hidden = loaded === null || machine === null;
+    const { loaded, machine, placing } = session.state;
+    root.hidden = loaded === null || machine === null;
     if (!loaded || !machine) return;
     const { place } = placing;
     none.hidden = Boolean(machine.bed);
@@ -87,9 +82,7 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
       if (document.activeElement !== x) x.value = written(place.at[0], 'mm');
       if (document.activeElement !== y) y.value = written(place.at[1], 'mm');
     }
-    const fit = fitsBed(placing, machine, loaded);
-    const off = planFindings.find((f) => f.code === 'off-bed');
-    const sentence = off !== undefined ? sentenceOf(off).text : fit ? '' : words.placement.off;
+    const sentence = whyOff(session.state);
     const [x0, y0, x1, y1] = jobBox(placing, loaded, reachOf(session.state));
     setText(fits, words.placement.reaches(size(x0), size(x1), size(y0), size(y1), shownIn('mm').unit));
     setText(advice, sentence);
@@ -99,22 +92,15 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
     corner.hidden = atCorner(session.state) === null;
     allow.root.hidden = sentence === '' && !placing.allowOffBed;
     allow.input.checked = placing.allowOffBed;
-    const turned = load.turn ? words.placement.turned(load.turn) : '';
-    const moved = shiftOf(placing, loaded).some((v) => v !== 0);
-    setGist([sentence !== '' ? words.placement.offBed : moved ? words.placement.placed : words.placement.drawn, turned].filter(Boolean).join(', '), sentence && 'warning');
   };
   session.store.on('change', refresh);
   session.store.on('loaded', refresh);
   refresh();
-  const reveal = () => {
-    root.open = true;
-    // The panel alone is scrolled: `scrollIntoView` moves the whole page as well. What can be done about it is at the end, which a phone has no room for beside the rest.
-    const panel = root.parentElement!;
-    const [shown, whole, end] = [panel, root, allow.root].map((e) => e.getBoundingClientRect()) as [DOMRect, DOMRect, DOMRect];
-    panel.scrollTop += Math.max(whole.top - shown.top, end.bottom - shown.bottom);
-    (corner.hidden ? mode.list : corner).focus({ preventScroll: true });
+  return {
+    root, end: allow.root,
+    setDragging: (on) => drag.setAttribute('aria-pressed', String(on)),
+    focus: () => (corner.hidden ? mode.list : corner).focus({ preventScroll: true }),
   };
-  return Object.assign(root, { setDragging: (on: boolean) => drag.setAttribute('aria-pressed', String(on)), reveal });
 }
 
 /** The place with the lower left corner of what the beam reaches at that of the bed; null where that has no room for the job. */

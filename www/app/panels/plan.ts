@@ -1,12 +1,12 @@
-/** How the path is searched: method, time, seed; and the rules that every plan follows, in the terms of laser software. */
+/** The controls of the plan's section: method, time, seed; and the rules that every plan follows, in the terms of laser software. */
 
 import { h, setText } from '../core/dom.js';
-import { upTo } from '../core/format.js';
 import type { MethodInfo, PaperMethod } from 'kerfway';
 import { messageOf } from '../core/strings.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
-import { check, field, section, select } from './section.js';
+import { span } from './plan-section.js';
+import { check, field, select } from './section.js';
 import { words } from '../core/words/index.js';
 
 /** The time budgets to choose from, s. */
@@ -15,10 +15,7 @@ const BUDGETS = [2, 5, 10, 30, 60, 300];
 /** The entry of the list of methods that unfolds those from papers. */
 const MORE = '*';
 
-const span = (s: number) => (s < 60 || s % 60 > 0 ? `${upTo(s, 3)} s` : `${s / 60} min`);
-
-export function planPanel(session: Session): HTMLElement {
-  const { root, body, setGist } = section(words.plan.title, false);
+export function planControls(session: Session): HTMLElement {
   // The methods from papers are loaded and listed when somebody asks for them.
   let unfolded = false;
   const method = select<string>((value) => {
@@ -56,11 +53,11 @@ export function planPanel(session: Session): HTMLElement {
   const byPart = check(words.plan.byPart, (on) => session.drawing.change({ partByPart: on }));
   const common = check(words.plan.common, (on) => session.drawing.change({ commonCuts: on ? 'best' : 'off' }));
   const used = h('p', { class: 'soft' });
-  body.append(h('div', { class: 'stack' },
+  const root = h('div', { class: 'stack' },
     method.root, about, source, own, field(words.plan.time, budget.root), field(words.plan.seed, seed), used, byLayer.root, byPart.root, bySheet.root, common.root,
-    h('p', { class: 'soft' }, words.plan.always)));
+    h('p', { class: 'soft' }, words.plan.always));
 
-  session.store.on('change', ({ search, seed: taken, load, loaded, machine }) => {
+  const show = ({ search, seed: taken, load, loaded, machine }: State) => {
     const { methods, papers } = session.catalog;
     const option = (m: MethodInfo) => ({ value: m.name, label: m.title });
     const chosen = [...methods, ...papers].find((m) => m.name === search.method);
@@ -85,10 +82,11 @@ export function planPanel(session: Session): HTMLElement {
     const open = loaded?.contours.some((c) => !c.closed && c.operation === 'cut') ?? false;
     common.root.hidden = !open || !machine?.pre_cut_time;
     common.input.checked = !off;
-    setGist(span(search.seconds));
     setText(used, taken === null ? '' : words.plan.used(taken));
     used.hidden = taken === null || search.seed !== null;
-  });
+  };
+  session.store.on('change', show);
+  show(session.state);
   return root;
 }
 

@@ -29,23 +29,29 @@ export function laterDetails(title: string, load: () => Promise<HTMLElement>, fa
   return root;
 }
 
-/** A closed section whose content is loaded when it is opened. `failed`: as above. */
-export function laterSection(title: string, load: (section: Section) => Promise<HTMLElement>, failed: (sentence: string) => void): Section {
+/** A closed section whose content is loaded when it is opened. `failed`: as above. `open` opens it, and resolves when its content is there. */
+export function laterSection(title: string, load: (section: Section) => Promise<HTMLElement>, failed: (sentence: string) => void): Section & { open(): Promise<void> } {
   const made = section(title, false);
-  fillWhenOpened(made.root, async () => made.body.append(await load(made)), failed);
-  return made;
+  const filled = fillWhenOpened(made.root, async () => made.body.append(await load(made)), failed);
+  const open = () => {
+    made.root.open = true;
+    return filled();
+  };
+  return { ...made, open };
 }
 
-function fillWhenOpened(root: HTMLDetailsElement, fill: () => Promise<void>, failed: (sentence: string) => void): void {
+/** Returns what fills the details, once: it resolves when the content is there. */
+function fillWhenOpened(root: HTMLDetailsElement, fill: () => Promise<void>, failed: (sentence: string) => void): () => Promise<void> {
   let content: Promise<void> | null = null;
+  const filled = () => (content ??= fill().catch((error) => {
+    content = null;
+    root.open = false;
+    failed(messageOf(error));
+  }));
   root.addEventListener('toggle', () => {
-    if (!root.open) return;
-    content ??= fill().catch((error) => {
-      content = null;
-      root.open = false;
-      failed(messageOf(error));
-    });
+    if (root.open) void filled();
   });
+  return filled;
 }
 
 /** A label above or beside its control. `unit`: that of the value; a length is shown in the unit that the person has chosen. */

@@ -6,8 +6,8 @@
 import { button, h, setText } from '../core/dom.js';
 import { count, upTo } from '../core/format.js';
 import { shownIn, typed, written } from '../core/lengths.js';
-import type { Comparison } from '../session/comparison.js';
-import type { Preview } from '../session/preview.js';
+import type { ChangeMark, Comparison } from '../session/comparison.js';
+import { Preview } from '../session/preview.js';
 import { withoutRules } from '../session/rules.js';
 import type { Session } from '../session/session.js';
 import { field } from './section.js';
@@ -34,7 +34,9 @@ const inUnit = (mm: number) => `${upTo(mm / shownIn('mm').factor, 6)} ${shownIn(
 /** Steps of a slider. The scale is logarithmic, because the range covers several powers of ten. */
 const STEPS = 200;
 
-export function tolerances(session: Session, preview: Preview): HTMLElement {
+/** `mark` marks the changes on the sheet. */
+export function tolerances(session: Session, mark: (changes: ChangeMark[]) => void): HTMLElement {
+  const preview = new Preview(session);
   const draft: Partial<Record<Key, number>> = {};
   const outcome = h('p', { class: 'comparison', role: 'status' });
   const apply = button(words.drawing.apply, { class: 'small primary' });
@@ -77,6 +79,7 @@ export function tolerances(session: Session, preview: Preview): HTMLElement {
     if (event.key === 'Escape') preview.clear();
   });
   preview.on('comparison', (comparison) => {
+    mark(comparison?.marks ?? []);
     if (comparison === null) reset();
     else {
       setText(outcome, inWords(comparison));
