@@ -16,14 +16,17 @@ const contentSecurityPolicy: Plugin = {
   transformIndexHtml: () => [{ tag: 'meta', attrs: { 'http-equiv': 'Content-Security-Policy', content: POLICY }, injectTo: 'head-prepend' }],
 };
 
-/** Languages are stored for use without a network when they are first used; other parts of the page with the writers of programs. */
+/**
+ * The kind of a file by its first module. Languages are stored for use without a network when they are first used; other parts of the page, and what
+ * several of them share, with the writers of programs.
+ */
 function kindOf(module: string): string {
   if (/core\/words\/\w+\.ts$/.test(module)) return 'language-';
-  return /www\/app\/(session|panels)\/[\w-]+\.ts$/.test(module) ? 'later-' : '';
+  return /www\/app\/(session|panels|core)\/[\w-]+\.ts$/.test(module) ? 'later-' : '';
 }
 
-/** The modules of the package that only a report takes, although its index, which the page needs at once, exports them. */
-const REPORT = /sdk\/(job-report|report-text)\.js$/;
+/** The modules of the package that only reports, savings and project files take, although its index, which the page needs at once, exports them. */
+const LATER = /sdk\/(job-report|report-text|thumbnail|savings|project-file)\.js$/;
 
 /** Whether the page needs a module at once: from its own script, imports that are no calls lead to it. */
 function isNeededAtOnce(module: string, modules: { getModuleInfo(id: string): { isEntry: boolean; importers: readonly string[] } | null }): boolean {
@@ -52,9 +55,9 @@ export default defineConfig({
       treeshake: { propertyReadSideEffects: false },
       output: {
         // What the page needs at once is one file: many small ones are larger when they are compressed.
-        codeSplitting: { groups: [{ debugName: 'page', name: (id, context) => (isNeededAtOnce(id, context) && !REPORT.test(id) ? 'page' : null) }] },
+        codeSplitting: { groups: [{ debugName: 'page', name: (id, context) => (isNeededAtOnce(id, context) && !LATER.test(id) ? 'page' : null) }] },
         // What it loads when it is needed. The build and the service worker know these files by their names.
-        chunkFileNames: ({ facadeModuleId }) => `assets/${kindOf(facadeModuleId ?? '')}[name]-[hash].js`,
+        chunkFileNames: ({ facadeModuleId, moduleIds, name }) => `assets/${name === 'page' ? '' : kindOf(facadeModuleId ?? moduleIds[0] ?? '')}[name]-[hash].js`,
       },
     },
   },

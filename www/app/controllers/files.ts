@@ -1,6 +1,6 @@
 /** Files in and out: opening drawings and samples, several at once, and downloading the outputs of the plan. */
 
-import { isProject, KerfwayError, type LoadOptions, type OutputKind, type Project, readProject, tooLarge, writeProject } from 'kerfway';
+import { isProject, KerfwayError, type LoadOptions, type OutputKind, type Project, tooLarge } from 'kerfway';
 import { acceptDrops, choose, save } from '../core/files.js';
 import { Latest } from '../core/latest.js';
 import { baseName, downloadName, messageOf } from '../core/strings.js';
@@ -113,7 +113,12 @@ export class Files {
   async saveProject(): Promise<void> {
     const { project } = this.session;
     if (project === null) return;
-    save(await writeProject(project), `${baseName(project.name)}.kerfway`, 'application/json');
+    try {
+      const { writeProject } = await import('../session/project-files.js');
+      save(await writeProject(project), `${baseName(project.name)}.kerfway`, 'application/json');
+    } catch (error) {
+      this.notices.show(messageOf(error));
+    }
   }
 
   /** Resolves to why the file cannot be used, or to null, also where something else was chosen while it was being read. */
@@ -134,6 +139,7 @@ export class Files {
     if (!isLatest()) return null;
     if (!isProject(bytes)) return session.open({ bytes, name: file.name }, load ?? this.shared);
     try {
+      const { readProject } = await import('../session/project-files.js');
       return await session.openProject(await readProject(bytes), isLatest);
     } catch (error) {
       return refuse(error);

@@ -1,6 +1,7 @@
 /** Opens the files that commands work on: drawings, and projects, which hold a drawing and what was decided about it. */
 
-import { isProject, readProject, type Project } from '../project.js';
+import { isProject, type Project } from '../project.js';
+import { readProject } from '../project-file.js';
 import { bytesOf, nameOf, usable } from './io.js';
 
 /** Reads a project, or a drawing as a project in which nothing is decided yet. */
