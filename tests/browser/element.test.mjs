@@ -112,6 +112,26 @@ describe('<kerfway-planner>', () => {
     }
   });
 
+  it('drew the first and the last travel move to where the head would be if the job lay as drawn, although the job was placed', async (t) => {
+    const { page } = await open(t, 'moves="100" units="mm"');
+    // The head starts at the corner of the bed, which is that of the plate; so no move is left or below of it.
+    const marks = await page.evaluate(async (text) => {
+      const element = document.querySelector('kerfway-planner');
+      const beside = [];
+      for (const options of [{}, { place: { point: 'lower-left', at: [0, 0] } }, { place: { from: [500, 500], at: [500, 500] } }, { start: 'current', place: { at: [0, 0] } }]) {
+        element.options = { ...options, allowOffBed: true };
+        await element.open(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)), 'plate.dxf');
+        await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+        const canvas = element.shadowRoot.querySelector('[part=path]');
+        // Twelve pixels around the drawing are free.
+        const { data } = canvas.getContext('2d').getImageData(0, canvas.height - 8 * devicePixelRatio, canvas.width, 8 * devicePixelRatio);
+        beside.push(data.some((value, i) => i % 4 === 3 && value > 0));
+      }
+      return beside;
+    }, base64(dxf(square(500, 500, 100), circle(550, 550, 10))));
+    assert.deepEqual(marks, [true, false, true, false]);
+  });
+
   it('stops when told, and keeps the best', async (t) => {
     const { page } = await open(t, 'seed="1" seconds="60" allow-off-bed');
     await choose(page, 'keyboard.dxf', bytes(KEYBOARD));

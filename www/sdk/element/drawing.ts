@@ -12,6 +12,7 @@ import type { Planner } from '../planner.js';
 import type { ErrorReport, Loaded, MachineProfile, MethodInfo, OutputKind, Progress } from '../protocol.js';
 import { checkSize } from '../size.js';
 import { abortable } from '../with-planner.js';
+import { homeAround } from './home.js';
 import { ENGLISH, type ElementLabels } from './labels.js';
 import { label } from './looks.js';
 import { attributed } from './options.js';
@@ -236,9 +237,11 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
     this.loaded = loaded;
     this.become('planning', this.words.contours(activeContours(loaded).length));
     // A framework may set the property to nothing.
-    const machine = this.options?.machine ?? this.getAttribute('machine');
+    const options = this.options ?? {};
+    const machine = options.machine ?? this.getAttribute('machine');
     const preset = this.machines.find((m) => m.name === machine) ?? this.machines[0] ?? null;
-    this.picture.show(loaded, typeof machine === 'object' && machine !== null ? machine : preset);
+    const used = typeof machine === 'object' && machine !== null ? machine : preset;
+    this.picture.show(loaded, used && homeAround(used, options, loaded));
   }
 
   private follow(progress: Progress): void {

@@ -5,12 +5,7 @@
  */
 
 import type { BestPath, Geometry, Loaded } from '../protocol.js';
-
-/** The machine's home, and whether the head returns there. */
-export interface Home {
-  home: [number, number];
-  return_home: boolean;
-}
+import type { Home } from './home.js';
 
 /** Numbers per element of a contour; see `Geometry`. */
 const STRIDE = 7;
