@@ -46,6 +46,35 @@ for (const [name, size] of Object.entries(SIZES)) {
   });
 }
 
+test('side by side, only the first sheet showed the bed', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4&machine=co2-100w&units=mm' });
+  await phase(page, 'planning', 'done');
+  // The bed is far larger than the job, so nothing but its lower edge reaches the right end of the sheet.
+  await drop(page, 'grid.dxf', grid(12));
+  await planned(page, 'grid.dxf', 'done');
+  await page.getByRole('button', { name: 'Show side by side with the plan' }).click();
+  await page.waitForFunction(() => /Nearest first · /.test(document.querySelector('.second-label').textContent));
+  await still(page);
+  const edges = () => page.evaluate(() => ['#canvas', '.second'].map((name) => {
+    const canvas = document.querySelector(name);
+    const { data } = canvas.getContext('2d').getImageData(canvas.width - 12, 0, 12, canvas.height);
+    const ground = data.slice(0, 3);
+    return data.filter((value, i) => i % 4 === 0 && value !== ground[0]).length;
+  }));
+  const [first, second] = await edges();
+  assert.ok(first > 0, 'the bed is on the first sheet');
+  assert.equal(second, first);
+});
+
+test('side by side, the name of the first sheet lay over the choice of the order while a drawing was invited', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4', size: { width: 1024, height: 768 } });
+  await phase(page, 'done');
+  await page.getByRole('button', { name: 'Show side by side with the plan' }).click();
+  await page.waitForFunction(() => /Now · /.test(document.querySelector('.first-label').textContent));
+  const [orders, label] = await Promise.all(['.orders', '.first-label'].map((name) => page.locator(name).boundingBox()));
+  assert.ok(orders.y + orders.height <= label.y || orders.x + orders.width <= label.x, JSON.stringify({ orders, label }));
+});
+
 /** Most times that a search is continued. */
 const SEARCHES = 40;
 

@@ -184,6 +184,7 @@ export class BeforeAfter {
     this.parts.stage.insertBefore(canvas, this.parts.stage.querySelector('#hint'));
     this.parts.stage.append(this.first, label);
     this.other = { scene: new Scene(canvas, this.parts.scene.viewport, this.parts.theme()), canvas, label, timeline: null, loaded: null };
+    this.parts.scene.shareBed(this.other.scene);
     this.second();
   }
 

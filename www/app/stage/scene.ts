@@ -74,6 +74,8 @@ export class Scene {
   private extent: Box = [0, 0, 1, 1];
   /** The bed of the machine as seen from the drawing, and whether the job lies on it. */
   private bed: { box: Box; fits: boolean } | null = null;
+  /** The second sheet of a comparison, which lies on the same bed. */
+  private second: Scene | null = null;
   /** It is built when the pointer first moves over the sheet. */
   private grid: HitGrid | null = null;
   private path: BestPath | null = null;
@@ -183,7 +185,14 @@ export class Scene {
   /** The bed of the machine as seen from the drawing, if it is known; `fits`: the job lies on it. */
   setBed(box: Box | null, fits: boolean): void {
     this.bed = box && { box, fits };
+    this.second?.setBed(box, fits);
     this.invalidate();
+  }
+
+  /** Another scene shows this bed as well from now on. */
+  shareBed(second: Scene): void {
+    this.second = second;
+    second.setBed(this.bed?.box ?? null, this.bed?.fits ?? true);
   }
 
   /** The best path. The stage shows at most ten paths per second. */
