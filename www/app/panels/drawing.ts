@@ -34,18 +34,22 @@ export function drawingPanel(session: Session, mark: (changes: ChangeMark[]) => 
   const findings = new FindingList(onFinding, (finding) => findingActions(session, finding));
   // Most jobs have no pinned or skipped contours, so their lists are loaded with the first one.
   const pins = h('div', { hidden: true });
-  let lists: Promise<Pins> | null = null;
+  let lists: Pins | null = null;
+  let areLoading = false;
   const loadPins = async () => {
-    const made = new (await import('./pins.js')).Pins(session, onContour);
-    pins.replaceWith(made.root);
-    return made;
+    areLoading = true;
+    try {
+      lists = new (await import('./pins.js')).Pins(session, onContour);
+      pins.replaceWith(lists.root);
+      lists.show();
+    } catch (error) {
+      session.store.notify(messageOf(error));
+    }
+    areLoading = false;
   };
   const showPins = () => {
-    if (lists === null && !namesContours(session.state.load)) return;
-    (lists ??= loadPins()).then((made) => made.show(), (error) => {
-      lists = null;
-      session.store.notify(messageOf(error));
-    });
+    if (lists !== null) lists.show();
+    else if (!areLoading && namesContours(session.state.load)) void loadPins();
   };
   const kept = h('p', { class: 'soft kept', hidden: true }, words.page.kept, ' ', button(words.page.forget, { class: 'quiet small', onclick: forget }));
   const tolerances = laterDetails(words.drawing.tolerances, async () => (await import('./tolerances.js')).tolerances(session, mark), (sentence) => session.store.notify(sentence));
