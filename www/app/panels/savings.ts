@@ -14,7 +14,7 @@ export function savingsPanel(session: Session, alternatives: () => Promise<Alter
   const list = h('dl', { class: 'parts savings' });
   const note = h('p', { class: 'soft', role: 'status' });
   const ask = button(words.savings.ask, { class: 'small', onclick: () => void work() });
-  const root = h('div', { class: 'stack' }, h('p', { class: 'soft' }, words.savings.about), list, note, ask);
+  const root = h('div', { class: 'stack' }, h('p', { class: 'soft' }, words.savings.about), list, ask, note);
   let asked = 0;
   let found: Without[] = [];
 
