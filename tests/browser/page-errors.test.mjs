@@ -87,3 +87,14 @@ test('a planner that breaks down is replaced, the best path is kept, and the pag
   await page.getByRole('button', { name: 'Keep improving' }).click();
   await phase(page, 'planning');
 });
+
+test('a sample that could not be fetched was reported in the words of the browser', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4', broken: true, prepare: () => {
+    const { fetch } = window;
+    window.fetch = (what, ...rest) => (String(what).includes('samples/') ? Promise.reject(new TypeError('Failed to fetch')) : fetch(what, ...rest));
+  } });
+  await page.locator('.failure').waitFor();
+  assert.equal(await page.locator('.failure p').first().textContent(), 'The sample "Sheet, 500 contours" could not be loaded. Reload the page, or drop a DXF or SVG of your own.');
+  await drop(page, 'right.dxf', grid(12));
+  await planned(page, 'right.dxf');
+});

@@ -26,11 +26,11 @@ test('the controls of closed sections, the lists of pinned contours and project 
   await page.context().setOffline(true);
 
   await section('Plan').locator('> summary').press('Enter');
-  await section('Plan').getByLabel('Search for').selectOption('2 s');
+  await replanned(page, () => section('Plan').getByLabel('Search for').selectOption('2 s'));
   assert.equal(await section('Plan').locator('.gist').textContent(), '2 s');
   await section('On the bed').locator('> summary').press('Enter');
   await replanned(page, () => section('On the bed').getByRole('button', { name: 'Turn left' }).click());
-  assert.equal(await section('On the bed').locator('.gist').textContent(), 'as drawn, turned 90°');
+  assert.equal(await section('On the bed').locator('.gist').textContent(), 'reaches beyond it, turned 90°');
 
   await section('Drawing').locator('> summary').press('Enter');
   await section('Drawing').locator('summary', { hasText: 'Tolerances' }).click();
@@ -44,4 +44,17 @@ test('the controls of closed sections, the lists of pinned contours and project 
 
   const { name } = await download(page, () => page.locator('.downloads').getByRole('button', { name: 'Project' }).click());
   assert.match(name, /\.kerfway$/);
+});
+
+test('a part that could not be loaded was reported in the words of the browser, with its address', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=0.4', broken: true });
+  await phase(page, 'done');
+  await page.route(/later-plan-/, (route) => route.abort());
+  const plan = page.locator('details.section', { has: page.getByRole('heading', { name: 'Plan', exact: true }) });
+  await plan.locator('> summary').click();
+  await page.getByText('This part of the page could not be loaded. Check the network and try again.').waitFor();
+  assert.equal(await plan.evaluate((d) => d.open), false);
+  await page.unroute(/later-plan-/);
+  await plan.locator('> summary').click();
+  await plan.getByLabel('Search for').waitFor();
 });

@@ -26,6 +26,8 @@ export function doneSentence(reason: DoneReason | null, quiet: number): string {
 export function messageOf(error: unknown): string {
   if (typeof error === 'string') return error;
   if (isKerfwayError(error)) return ofCode(error);
+  // What browsers say of a module that they cannot load is its address.
+  if (error instanceof TypeError && /\bmodule\b/i.test(error.message)) return words.page.noPart;
   const message = error instanceof Error ? error.message : null;
   return message || words.page.somethingElse;
 }

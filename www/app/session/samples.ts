@@ -36,7 +36,7 @@ export const SAMPLES: readonly Sample[] = [
 
 /** Fetches a sample. */
 export async function fetchSample(sample: Sample): Promise<ArrayBuffer> {
-  const response = await fetch(`samples/${sample.file}`);
-  if (!response.ok) throw new Error(words.page.noSample(words.samples[sample.file]?.[0] ?? sample.file));
+  const response = await fetch(`samples/${sample.file}`).catch(() => null);
+  if (!response?.ok) throw new Error(words.page.noSample(words.samples[sample.file]?.[0] ?? sample.file));
   return response.arrayBuffer();
 }

@@ -67,7 +67,7 @@ export const de: Words = {
   sentences,
 
   report: {
-    machine: 'Maschine', kerf: 'Schnittfugenbreite', material: 'Material', size: 'Größe', parts: 'Teile', weight: 'Gewicht', printed: 'Gedruckt', picture: 'Der Weg des Strahls mit Reihenfolge und Richtung',
+    machine: 'Maschine', kerf: 'Schnittfugen\u00adbreite', material: 'Material', size: 'Größe', parts: 'Teile', weight: 'Gewicht', printed: 'Gedruckt', picture: 'Der Weg des Strahls mit Reihenfolge und Richtung',
     time: 'Zeit', job: 'Auftrag', cutting: 'Schneiden', air: 'Leerfahrten', piercing: 'Einstechen', preCuts: 'Vorschnitte', nearest: 'Nächste zuerst', gap: 'Noch zu gewinnen', noBound: 'noch keine Schranke', nothing: 'nichts: dieser Weg ist optimal',
     layers: 'Layer', layer: 'Layer', operation: 'Bearbeitung', contours: 'Konturen', contour: 'Kontur', length: 'Länge', count: 'Anzahl', area: 'Fläche', toCut: 'Zu schneiden', holes: 'Löcher',
     findings: 'Befunde', order: 'Schneidreihenfolge', no: 'Nr.', begins: 'Beginnt', entry: 'Einstich, mm', none: 'Keine.',
@@ -148,6 +148,7 @@ export const de: Words = {
     stillApplying: 'Die Änderung wird noch übernommen. Versuchen Sie es gleich noch einmal.',
     unreadable: (file) => `${file} konnte nicht gelesen werden. Wählen Sie die Datei noch einmal.`,
     noSample: (title) => `Das Beispiel „${title}“ konnte nicht geladen werden. Laden Sie die Seite neu, oder legen Sie ein eigenes DXF oder SVG ab.`,
+    noPart: 'Dieser Teil der Seite konnte nicht geladen werden. Prüfen Sie die Netzverbindung und versuchen Sie es noch einmal.',
     chooseHome: 'Klicken Sie auf der Tafel dorthin, wo der Kopf beginnen soll. Esc bricht ab.',
     noCanvas: 'Dieser Browser kann nicht auf ein Canvas zeichnen.',
     best: (time) => `Bisher am besten: ${time}.`,

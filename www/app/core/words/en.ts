@@ -145,6 +145,7 @@ export const en = {
     stillApplying: 'The change is still being applied. Try again in a moment.',
     unreadable: (file: string) => `${file} could not be read from disk. Choose it again.`,
     noSample: (title: string) => `The sample "${title}" could not be loaded. Reload the page, or drop a DXF or SVG of your own.`,
+    noPart: 'This part of the page could not be loaded. Check the network and try again.',
     chooseHome: 'Click on the sheet where the head should start. Esc cancels.',
     noCanvas: 'This browser cannot draw on a canvas.',
     best: (time: string) => `Best so far: ${time}.`,

@@ -148,6 +148,7 @@ export const es: Words = {
     stillApplying: 'El cambio todavía se está aplicando. Vuelva a intentarlo enseguida.',
     unreadable: (file) => `No se pudo leer ${file} del disco. Elíjalo de nuevo.`,
     noSample: (title) => `No se pudo cargar el ejemplo «${title}». Recargue la página, o suelte un DXF o SVG propio.`,
+    noPart: 'No se pudo cargar esta parte de la página. Compruebe la red e inténtelo de nuevo.',
     chooseHome: 'Haga clic en la chapa donde deba empezar el cabezal. Esc cancela.',
     noCanvas: 'Este navegador no puede dibujar en un canvas.',
     best: (time) => `Lo mejor hasta ahora: ${time}.`,
@@ -455,5 +456,5 @@ export const es: Words = {
     more: 'La rueda o un pellizco acercan y alejan en torno al puntero, arrastrar mueve la chapa, un clic selecciona un contorno. Mayús al arrastrar selecciona lo que hay en un recuadro, Ctrl con un clic añade a la selección. Mayús con un clic corta un contorno primero, Alt con un clic lo omite. El dibujo nunca sale de este equipo.',
   },
 
-  numbers: { locale: 'es', thousand: (n, three) => `${three(n)} mil`, million: (n, three) => `${three(n)} millones` },
+  numbers: { locale: 'es', thousand: (n, three) => `${three(n)} mil`, million: (n, three) => `${three(n)} millones de` },
 };

@@ -145,6 +145,7 @@ export const zh: Words = {
     stillApplying: '更改仍在应用中，请稍后再试。',
     unreadable: (file) => `无法从磁盘读取 ${file}。请重新选择。`,
     noSample: (title) => `无法加载示例“${title}”。请重新加载页面，或拖放您自己的 DXF 或 SVG。`,
+    noPart: '无法加载页面的这一部分。请检查网络后重试。',
     chooseHome: '在板上点击切割头应开始的位置。按 Esc 取消。',
     noCanvas: '此浏览器无法在画布上绘图。',
     best: (time) => `目前最好：${time}。`,
