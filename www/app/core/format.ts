@@ -122,7 +122,7 @@ export function percent(ratio: number): string {
 
 /** A text in which no line ends between a number and its unit. */
 export function unbroken(text: string): string {
-  return text.replace(/(\d) (s|m|mm|in|ft|km)\b/g, '$1\u00a0$2');
+  return text.replace(/(\d) (?=(?:s|m|mm|in|ft|km)\b|%)/g, '$1\u00a0');
 }
 
 /** Large counts in a short form: 950, "12.3 thousand", "4.5 million". */

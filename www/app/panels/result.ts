@@ -130,6 +130,9 @@ function leftToGain({ gap, total_time, lower_bound }: Summary): string {
   return gap <= PROVEN ? words.result.nothingLeft : words.result.atMost(seconds(total_time - lower_bound), percent((total_time - lower_bound) / total_time));
 }
 
+/** Facts in a text whose lines end only between them. */
+const betweenFacts = (facts: string) => facts.replace(/(?<!·) /g, '\u00a0');
+
 function showParts(list: HTMLElement, s: Summary, longest: number): void {
   // Less than a minute needs no hours.
   const time = (t: number) => seconds(t, t < MINUTE ? 0 : longest);
@@ -153,5 +156,5 @@ function showParts(list: HTMLElement, s: Summary, longest: number): void {
   const text = JSON.stringify(rows);
   if (list.dataset.shown === text) return;
   list.dataset.shown = text;
-  list.replaceChildren(...rows.flatMap(([name, term, value]) => [h('dt', { class: name }, term), h('dd', { class: 'number' }, value)]));
+  list.replaceChildren(...rows.flatMap(([name, term, value]) => [h('dt', { class: name }, term), h('dd', { class: 'number' }, value.includes('·') ? betweenFacts(value) : unbroken(value))]));
 }
