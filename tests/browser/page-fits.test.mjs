@@ -2,7 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { openEverything, openPage, phase, SIZES } from './page-support.mjs';
+import { sample } from './page-drawings.mjs';
+import { drop, openEverything, openPage, phase, planned, SIZES } from './page-support.mjs';
 
 /** Runs in the page: what empty fields say, and what can be chosen, where it is wider than the field. */
 const cut = () => {
@@ -45,6 +46,37 @@ for (const language of ['de', 'es']) {
       assert.equal(gist, shown, 'the heading names it in full');
     });
   }
+}
+
+/** Runs in the page: the numbers in figures that end a line, with what they count in the next one. */
+const parted = () => [...document.querySelectorAll('.parts dd')].flatMap(({ firstChild: text }) => [...text.data.matchAll(/\d\s\S+/g)].filter(({ index, 0: { length } }) => {
+  const range = document.createRange();
+  range.setStart(text, index);
+  range.setEnd(text, index + length);
+  return new Set([...range.getClientRects()].map(({ top }) => Math.round(top))).size > 1;
+}).map(([found]) => found));
+
+/** Runs in the page: the words of the elements that are shown, and in how many lines. */
+const inLines = (all) => all.filter((element) => element.checkVisibility()).map((element) => {
+  const words = document.createRange();
+  words.selectNodeContents(element.querySelector('span') ?? element);
+  return [element.textContent, new Set([...words.getClientRects()].map(({ bottom }) => Math.round(bottom))).size];
+});
+
+for (const width of [1024, 1440]) {
+  test(`in German, the actions at the foot took two lines, the mark of travel stood above its word, and lines ended after a number (${width})`, async (t) => {
+    const { page } = await openPage(t, { size: { width, height: 900 }, hash: 'seconds=0.4', prepare: `localStorage.setItem('kerfway.language', 'de')` });
+    await phase(page, 'done');
+    await drop(page, 'plates.dxf', sample('held-plates.dxf'));
+    await planned(page, 'plates.dxf', 'done');
+    await openEverything(page);
+    await page.locator('dl.parts dd', { hasText: 'Löcher' }).first().waitFor();
+    assert.deepEqual(await page.locator('.dock-actions button').evaluateAll(inLines), [['Weiter verbessern', 1], ['G-Code', 1]]);
+    assert.deepEqual(await page.locator('.compare th.air').evaluateAll(inLines), [['Leerfahrt', 1]]);
+    const head = await page.locator('.compare th.air').evaluate((th) => th.clientHeight / parseFloat(getComputedStyle(th).lineHeight));
+    assert.ok(head < 1.5, `${head} lines with the mark`);
+    assert.deepEqual(await page.evaluate(parted), []);
+  });
 }
 
 test('the list of materials cut off what is chosen', async (t) => {

@@ -125,6 +125,11 @@ export function unbroken(text: string): string {
   return text.replace(/(\d) (?=(?:s|m|mm|in|ft|km)\b|%)/g, '$1\u00a0');
 }
 
+/** Facts in a text, whose lines end only between two of them. */
+export function betweenFacts(text: string): string {
+  return text.replace(/(?<![·,]) /g, '\u00a0');
+}
+
 /** Large counts in a short form: 950, "12.3 thousand", "4.5 million". */
 export function short(n: number): string {
   if (n < 10_000) return count(n);

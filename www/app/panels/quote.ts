@@ -5,7 +5,7 @@
 
 import { button, h } from '../core/dom.js';
 import { save } from '../core/files.js';
-import { area, count, fixed, metres, three, upTo, width } from '../core/format.js';
+import { area, betweenFacts, count, fixed, metres, three, upTo, width } from '../core/format.js';
 import { lengthUnit, typed } from '../core/lengths.js';
 import { doubtOf, downloadName, messageOf } from '../core/strings.js';
 import type { Material, Quote } from 'kerfway';
@@ -77,7 +77,7 @@ function facts(q: Quote): [string, string][] {
   if (q.narrowest_web !== null) all.push([words.quote.web, hundredths(q.narrowest_web.width) + against(q.narrowest_web.over_thickness)]);
   const listed = q.parts.slice(0, LISTED);
   const least = Math.min(...listed.map((p) => p.net_area));
-  for (const p of listed) all.push([`${count(p.count)} × ${area(p.net_area, least)}`, words.quote.part(metres(p.cut_length), p.holes, count(p.holes))]);
+  for (const p of listed) all.push([`${count(p.count)} × ${area(p.net_area, least)}`, betweenFacts(words.quote.part(metres(p.cut_length), p.holes, count(p.holes)))]);
   if (q.parts.length > LISTED) all.push([words.quote.and, words.quote.others(q.parts.length - LISTED, count(q.parts.length - LISTED))]);
   return all;
 }

@@ -1,7 +1,7 @@
 /** The result: the seconds saved, the orders compared, the chart, what the job time consists of, downloads. */
 
 import { button, disable, h, setText } from '../core/dom.js';
-import { count, metres, millimetres, percent, seconds, unbroken } from '../core/format.js';
+import { betweenFacts, count, metres, millimetres, percent, seconds, unbroken } from '../core/format.js';
 import { type OutputKind, PROVEN, type Summary } from 'kerfway';
 import type { Alternatives } from '../session/alternatives.js';
 import { isRefusedOffBed } from '../session/off-bed.js';
@@ -129,9 +129,6 @@ function leftToGain({ gap, total_time, lower_bound }: Summary): string {
   if (gap === null) return words.result.noBound;
   return gap <= PROVEN ? words.result.nothingLeft : words.result.atMost(seconds(total_time - lower_bound), percent((total_time - lower_bound) / total_time));
 }
-
-/** Facts in a text whose lines end only between them. */
-const betweenFacts = (facts: string) => facts.replace(/(?<!·) /g, '\u00a0');
 
 function showParts(list: HTMLElement, s: Summary, longest: number): void {
   // Less than a minute needs no hours.
