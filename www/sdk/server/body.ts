@@ -51,6 +51,8 @@ function received(request: IncomingMessage, { largest, upload }: BodyLimits): Pr
       request.removeAllListeners('data');
       if (error === null) resolve(Buffer.concat(chunks));
       else reject(error);
+      // The rest of a refused body may come for a while.
+      chunks.length = 0;
     };
     const timer = setTimeout(() => end(new KerfwayError('slow-upload', `The body did not arrive within ${upload} seconds.`, { seconds: upload })), upload * 1000);
     request.on('data', (chunk: Buffer) => {

@@ -16,7 +16,7 @@ import { openapi } from './openapi.js';
 import { isUnbudgeted, JOB_KINDS, requestOptions, type JobKind } from './request-options.js';
 import type { ServerSettings } from './settings.js';
 import { CLIENT_LEFT, statusOf, told } from './status.js';
-import { answerUnreadable, DROPPED } from './unreadable.js';
+import { answerUnreadable, dropRest } from './unreadable.js';
 
 /** A running service. */
 export interface Service {
@@ -131,6 +131,8 @@ class HttpService {
     if (this.wasUnreadable(request.socket)) return;
     if (gone.signal.aborted && reportOf(gone.signal.reason).code === 'closed') reply = { ...reply, status: CLIENT_LEFT };
     this.send(request, response, reply);
+    // A refusal is small, so its place is free although the rest of its body still arrives.
+    if (!request.complete) this.running.delete(gone);
     const seconds = (performance.now() - begun) / 1000;
     this.metrics.answered(route, reply.status, seconds, reply.code ?? null);
     const level = reply.status >= 500 ? 'error' : 'info';
@@ -221,12 +223,13 @@ class HttpService {
       // The rest of a refused body is not read, and a service that stops waits for no further request.
       ...(unread || this.stopping ? { connection: 'close' } : {}),
     });
-    response.end(request.method === 'HEAD' ? undefined : bytes);
     this.endUnread(request, response, bytes.length);
-    if (unread) {
-      request.resume();
-      setTimeout(() => request.destroy(), DROPPED).unref();
-    }
+    const hasBody = status !== 204 && request.method !== 'HEAD';
+    if (unread && hasBody && !request.destroyed) {
+      response.write(bytes);
+      // Node closes the connection at the end of the answer.
+      dropRest(request, this.settings.upload * 1000, () => response.end());
+    } else response.end(hasBody ? bytes : undefined);
   }
 
   /** Ends the connection of a client that does not read its answer: it would be kept for as long as the client likes. */

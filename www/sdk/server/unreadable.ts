@@ -1,14 +1,28 @@
 /** Answers what is no request of HTTP with an error in JSON, as everything else: Node would answer without a body. */
 
-import { STATUS_CODES, type Server, type ServerResponse } from 'node:http';
+import { STATUS_CODES, type IncomingMessage, type Server, type ServerResponse } from 'node:http';
 import type { Socket } from 'node:net';
 import type { Duplex } from 'node:stream';
 import { KerfwayError } from '../errors.js';
 import type { ErrorCode } from '../generated/types.js';
 import { statusOf } from './status.js';
 
-/** Milliseconds for which what a refused client still sends is dropped, so that it sees the answer and not a reset. */
-export const DROPPED = 500;
+/** Milliseconds without a byte after which a refused client is taken to have sent all that it sends. */
+const DROPPED = 500;
+
+/**
+ * Drops what a refused client still sends of its body. Many clients read the answer only when they have sent all, and would see a reset instead of it.
+ * Calls `end` when all has come, when nothing comes any more, or after `most` milliseconds.
+ */
+export function dropRest(request: IncomingMessage, most: number, end: () => void): void {
+  const ended = () => {
+    clearTimeout(idle);
+    clearTimeout(late);
+    end();
+  };
+  const idle = setTimeout(ended, Math.min(DROPPED, most)), late = setTimeout(ended, most);
+  request.on('data', () => idle.refresh()).on('end', ended).on('close', ended);
+}
 
 /** Hears of every such answer: its status, the code of its error, and what Node calls the cause. */
 type Answered = (status: number, code: ErrorCode, cause: string) => void;
