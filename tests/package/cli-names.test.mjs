@@ -76,6 +76,13 @@ describe('an output that is another file of the same run is wrong usage, and not
     assert.equal(run(at, ['plan', 'a.dxf', ...QUICK, ...twice]).status, 0);
   });
 
+  it('a file whose name begins with a dash was an unknown option, without a word on how it is written', (t) => {
+    const at = place(t);
+    writeFileSync(join(at, '-a.dxf'), dxf(circle(0, 0, 5)));
+    refused(at, ['plan', '-a.dxf', ...QUICK], /^kerfway: kerfway plan has no option -a\. The file of this name is written \.\/-a\.dxf\.$/m);
+    assert.equal(run(at, ['plan', './-a.dxf', ...QUICK]).status, 0);
+  });
+
   it('a machine file counts as an input', (t) => {
     const at = place(t);
     const { machine } = JSON.parse(run(at, ['plan', 'a.dxf', ...QUICK, '--json', '-']).stdout);

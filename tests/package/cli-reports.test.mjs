@@ -1,7 +1,7 @@
 // What the command line reports to people: no rounding to nothing, no sentence about what is not there.
 
 import assert from 'node:assert/strict';
-import { writeFileSync } from 'node:fs';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { area, duration, elapsed, grams, meters, millimetres, size } from '../../dist/sdk/words.js';
@@ -104,6 +104,23 @@ describe('reports of the command line', () => {
     writeFileSync(other, '{}');
     const { code, stderr } = await kerfway('calibrate', `${plan}=8`, `${other}=9`);
     assert.deepEqual([code, stderr], [1, `kerfway: ${other}: This is not a plan of the kind kerfway.plan/1: it has no text \`schema\`.\n`]);
+  });
+
+  it('calibrate wrote a machine for seconds that no machine near to this one takes', async (t) => {
+    const { at, path } = drawing(t);
+    const [plan, fitted] = [join(at, 'plan.json'), join(at, 'fitted.json')];
+    await kerfway('plan', path, '--moves', '1', '--seed', '1', '--json', plan);
+    const planned = JSON.parse(readFileSync(plan, 'utf8')).summary.total_time;
+    for (const seconds of [0.01 * planned, 1000 * planned]) {
+      const { code, stdout, stderr } = await kerfway('calibrate', `${plan}=${seconds}`, '--json', fitted);
+      assert.deepEqual([code, stdout, existsSync(fitted)], [1, '', false]);
+      assert.match(stderr, /^kerfway: .*plan\.json: .* cannot be explained: [\d.]+ s are planned, .* Check the seconds, and the speeds of the machine\.\n$/);
+    }
+    const piped = await kerfway('calibrate', `${plan}=0.001`, '--json', '-');
+    assert.equal(JSON.parse(piped.stdout).error.code, 'out-of-range');
+    assert.equal((await kerfway('calibrate', `${plan}=1e300`)).code, 2);
+    const { stdout } = await kerfway('calibrate', `${plan}=${0.93 * planned}`);
+    assert.match(stdout, /^pierce_time +0\.1 to 0 s, as far as the fit goes$/m);
   });
 
   it('check of a program that cuts nothing counts no contours and reaches nowhere', async (t) => {

@@ -25,15 +25,22 @@ const RUNS: Record<string, () => Promise<(words: string[]) => Promise<void>>> = 
 async function main([command, ...rest]: string[]): Promise<void> {
   if (command === undefined) throw new WrongUse(`Name a command: kerfway ${commandsInWords()}.`);
   if (command === '--help' || command === '-h' || command === 'help') {
-    const [about] = rest;
+    const [about] = atMost(rest, 1);
     await print(about === undefined ? overview() : manual(about, known(about)));
   } else if (command === '--version' || command === '-v') {
+    atMost(rest, 0);
     await print(`${await version()}\n`);
   } else {
     const about = known(command);
     if (rest.includes('--help') || rest.includes('-h')) await print(manual(command, about));
     else await (await RUNS[command]?.())?.(rest);
   }
+}
+
+/** The words, of which there are no more than `most`. */
+function atMost(words: string[], most: number): string[] {
+  if (words.length > most) throw new WrongUse(`${words[most]} is one too many.`);
+  return words;
 }
 
 function known(name: string): Command {

@@ -12,6 +12,7 @@ import { optionsOf } from './commands.js';
 import { chosenOnce, namedOnce } from './given-once.js';
 import { WrongUse } from './io.js';
 import { COMMON_CUTS, GROUPS, OPERATIONS, PASS_ORDERS, STARTS, TURNS, UNITS } from './option-groups.js';
+import { lookAt } from './target.js';
 
 type Values = Record<string, string | boolean | string[] | undefined>;
 
@@ -54,8 +55,11 @@ function words(command: string, args: string[]): Words {
   } catch (error) {
     if (error instanceof WrongUse) throw error;
     const { code, message } = error as NodeJS.ErrnoException;
-    const name = /--?[\w-]+/.exec(message)?.[0] ?? 'An option';
-    if (code === 'ERR_PARSE_ARGS_UNKNOWN_OPTION') throw new WrongUse(`kerfway ${command} has no option ${name}.${meant(name, Object.keys(options))}`);
+    const name = /'(-[^\s']+)/.exec(message)?.[1] ?? 'An option';
+    if (code === 'ERR_PARSE_ARGS_UNKNOWN_OPTION') {
+      const file = args.find((word) => word.startsWith(name) && lookAt(word) !== null);
+      throw new WrongUse(`kerfway ${command} has no option ${name}.${file === undefined ? meant(name, Object.keys(options)) : ` The file of this name is written ./${file}.`}`);
+    }
     if (options[name.slice(2)]?.type === 'boolean') throw new WrongUse(`${name} takes no value.`);
     const next = args[args.indexOf(name) + 1];
     throw new WrongUse(`${name} needs a value.${next !== undefined && /^-[\d.]/.test(next) ? ` A negative one is written ${name}=${next}.` : ''}`);
@@ -203,6 +207,7 @@ function layerChoice(word: string): LayerChoice {
   for (const pair of rest.split(',').slice(1)) {
     const [key = '', value = ''] = pair.split('=');
     const setting = oneOf(`--layer ${word}: setting`, key, [...(Object.keys(SETTINGS) as (keyof typeof SETTINGS)[]), 'air']);
+    if (layer[setting === 'air' ? setting : SETTINGS[setting]] !== undefined) throw new WrongUse(`--layer ${word}: ${key} is given twice.`);
     if (setting === 'air') layer.air = oneOf(`--layer ${word}: air`, value, ['on', 'off']) === 'on';
     else layer[SETTINGS[setting]] = numberOf(word, key, value);
   }

@@ -5,7 +5,8 @@ import { checkProfile } from '../options.js';
 import type { Calibration, MachineProfile, MeasuredPlan } from '../protocol.js';
 import { parsed } from './arguments.js';
 import { Destinations, outputsOf } from './destinations.js';
-import { bytesOf, usable, WrongUse } from './io.js';
+import { KerfwayError } from '../errors.js';
+import { bytesOf, Unusable, usable, WrongUse } from './io.js';
 import { machineFiles, machineOf } from './machine.js';
 import { say } from './report.js';
 import { complain } from './safe-text.js';
@@ -35,6 +36,7 @@ export async function calibrate(args: string[]): Promise<void> {
       for (const [k, file] of files.entries()) await usable(file, planner.calibrate(machine, measured.slice(k, k + 1)));
       return usable(files.join(', '), Promise.reject(error));
     });
+    refuseBeyond(files, calibration, machine);
     await destinations.write(first, outputs.map((output) => ({ output, data: `${JSON.stringify(calibration.machine, null, 2)}\n` })));
     if (given.values['quiet'] !== true) await say(lines(calibration, machine), destinations.piped);
   } finally {
@@ -53,11 +55,23 @@ function plannedFor(plan: string): MachineProfile | undefined {
   }
 }
 
+/** Refuses times that no machine near to this one takes: the fit has gone as far as it goes, and its values mean nothing. */
+function refuseBeyond(files: readonly string[], { jobs, machine: now }: Calibration, before: MachineProfile): void {
+  const missed = jobs.map((j) => Math.abs(j.after / j.measured - 1));
+  const isMet = Math.max(...missed) <= MISSED;
+  const isNear = now.pierce_time <= Math.max(before.pierce_time, PIERCE);
+  if (isMet && isNear) return;
+  const k = isMet ? 0 : missed.indexOf(Math.max(...missed));
+  const { measured, before: planned } = jobs[k]!;
+  const message = `${files[k]}: ${duration(measured)} ${jobs.length > 1 ? 'beside the other times ' : ''}cannot be explained: ${duration(planned)} are planned, and no acceleration, corner deviation and pierce time near those of the machine make such a difference. Check the seconds, and the speeds of the machine.`;
+  throw new Unusable(message, new KerfwayError('out-of-range', message, { field: 'seconds', value: String(measured) }).toJSON());
+}
+
 /** `FILE=SECONDS`; the name may contain equals signs. */
 function jobOf(word: string): { file: string; seconds: number } {
   const at = word.lastIndexOf('=');
   const seconds = at < 1 ? NaN : Number(word.slice(at + 1));
-  if (!(seconds > 0) || !Number.isFinite(seconds)) throw new WrongUse(`${word}: write PLAN.json=SECONDS, with the seconds that the job took.`);
+  if (!(seconds > 0 && seconds < MOST)) throw new WrongUse(`${word}: write PLAN.json=SECONDS, with the seconds that the job took.`);
   return { file: word.slice(0, at), seconds };
 }
 
@@ -66,13 +80,28 @@ function lines({ jobs, machine: now }: Calibration, before: Calibration['machine
     const share = Math.abs(planned / measured - 1);
     return share < LEAST ? 'the same' : `${planned >= measured ? '+' : '-'}${percent(share)}`;
   };
-  const value = (name: string, from: number | null, to: number | null, unit: string) => `${name.padEnd(20)}${digits(from)} to ${digits(to)} ${unit}`;
+  const value = (name: string, from: number | null, to: number | null, unit: string) => `${name.padEnd(20)}${digits(from)} to ${digits(to)} ${unit}${isLimit(from, to) ? ', as far as the fit goes' : ''}`;
   return [
     ...jobs.map((j) => `${j.name}: ${duration(j.measured)} measured; planned ${duration(j.before)} before (${off(j.before, j.measured)}), ${duration(j.after)} after (${off(j.after, j.measured)})`),
     value('cut.accel', before.cut.accel, now.cut.accel, 'mm/s2'),
     value('junction_deviation', before.junction_deviation, now.junction_deviation, 'mm'),
     value('pierce_time', before.pierce_time, now.pierce_time, 's'),
   ];
+}
+
+/** The seconds of no job: the most that the fit takes. */
+const MOST = 1e7;
+/** How far a fitted machine may be from a measured time, as a share of it: more is no matter of acceleration, corners and piercing. */
+const MISSED = 0.1;
+/** No plate takes longer to pierce, s. The fit itself knows no limit. */
+const PIERCE = 60;
+/** The factor within which the fit changes acceleration and deviation: the same as in `src/calibration`. */
+const LARGEST = 20;
+
+/** Whether a fitted value is one at which the fit ends. No pierce time is below 0. */
+function isLimit(from: number | null, to: number | null): boolean {
+  if (from === null || to === null || from === to) return false;
+  return to === 0 || Math.max(to / from, from / to) > LARGEST * (1 - 1e-6);
 }
 
 /** The least difference that two decimals of a per cent show. */
