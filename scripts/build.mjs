@@ -132,6 +132,7 @@ function sdk() {
   console.log('build: the npm package');
   run('tsc', ['-p', join(ROOT, 'www', 'sdk')]);
   typesWithoutMaps();
+  tableWithoutPlaces();
   cpSync(join(ROOT, 'src', 'machine', 'dialect', 'shipped'), join(SDK, 'dialects'), { recursive: true });
   for (const schema of ['plan.schema.json', 'quote.schema.json', 'dialect.schema.json', 'certificate.schema.json']) cpSync(join(ROOT, 'www', 'sdk', schema), join(SDK, schema));
   for (const types of ['node-types.d.cts', 'portable-types.d.cts']) cpSync(join(ROOT, 'www', 'sdk', types), join(SDK, types));
@@ -153,6 +154,12 @@ function typesWithoutMaps() {
     writeFileSync(file, code);
     rmSync(`${file}.map`);
   }
+}
+
+/** The table of fields is data, in which no debugger stops: its map has its source, without the place of each brace. */
+function tableWithoutPlaces() {
+  const map = join(SDK, 'fields.js.map');
+  writeFileSync(map, JSON.stringify({ ...JSON.parse(readFileSync(map, 'utf8')), mappings: '' }));
 }
 
 /** Any server may serve it, so it states its policy itself. */
