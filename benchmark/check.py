@@ -11,6 +11,7 @@ the command is, or if something cannot be checked. README.md defines instances, 
 
 import gzip
 import hashlib
+import io
 import json
 import sys
 import zlib
@@ -19,6 +20,8 @@ from pathlib import Path
 from rules import NEAR, Contour, Wrong, check, number, point, read
 
 HERE = Path(__file__).resolve().parent
+# Bytes of a file, unpacked: the largest plan here has 4 million, and a gzip file of that size can hold a thousand times more.
+MOST = 2**26
 
 
 class Unusable(Exception):
@@ -27,13 +30,18 @@ class Unusable(Exception):
 
 def load(path):
     try:
-        data = Path(path).read_bytes()
+        with open(path, "rb") as file:
+            data = file.read(MOST + 1)
     except OSError as error:
         raise Unusable(f"{path} cannot be read: {error.strerror}") from error
     try:
-        return gzip.decompress(data) if str(path).endswith(".gz") else data
+        if str(path).endswith(".gz"):
+            data = gzip.GzipFile(fileobj=io.BytesIO(data)).read(MOST + 1)
     except (OSError, EOFError, zlib.error) as error:
         raise Wrong(f"not-a-plan: {path} is not a gzip file: {error}") from error
+    if len(data) > MOST:
+        raise Wrong(f"not-a-plan: {path} has more than {MOST} bytes")
+    return data
 
 
 def plan_of(path):

@@ -1,12 +1,21 @@
 // The frozen instances: instances.json names each with its checksum, licence, source and best plan.
 
-import { readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gunzipSync } from 'node:zlib';
 import { ROOT, Stop } from '../scripts/tools.mjs';
 
 export const HERE = join(ROOT, 'benchmark');
 const LIST = join(HERE, 'instances.json');
+
+/** Makes a folder for what is written, unless it is there. */
+export function made(folder) {
+  try {
+    mkdirSync(folder, { recursive: true });
+  } catch ({ code }) {
+    throw new Stop(`${folder} cannot be made (${code}): name another folder.`);
+  }
+}
 
 /** The list as it is stored. */
 export function listed() {

@@ -1,11 +1,11 @@
 // Takes plans that are sound and better than the best known into the benchmark.
 
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gunzipSync, gzipSync } from 'node:zlib';
 import { Stop } from '../scripts/tools.mjs';
-import { HERE, listed, store } from './instances.mjs';
+import { HERE, listed, made, store } from './instances.mjs';
 
 /** Values closer than this share are the same. */
 const SAME = 1e-9;
@@ -13,7 +13,7 @@ const SAME = 1e-9;
 export function keep(folder) {
   const list = listed();
   let found = 0;
-  mkdirSync(join(HERE, 'best'), { recursive: true });
+  made(join(HERE, 'best'));
   for (const entry of list.instances) {
     const file = [`${entry.name}.json.gz`, `${entry.name}.json`].map((name) => join(folder, name)).find(existsSync);
     if (file === undefined) continue;
@@ -24,8 +24,12 @@ export function keep(folder) {
       continue;
     }
     const value = Number(stdout);
-    const bytes = readFileSync(file);
-    const { bound, by = 'unknown', ...plan } = JSON.parse((file.endsWith('.gz') ? gunzipSync(bytes) : bytes).toString());
+    const read = planIn(file);
+    if (read === null) {
+      console.log(`${entry.name}: ${file} is not JSON in UTF-8: Python reads more than that, such as NaN`);
+      continue;
+    }
+    const { bound, by, ...plan } = read;
     const best = entry.best;
     if (value < (best?.bound ?? 0) * (1 - SAME)) {
       console.log(`${entry.name}: ${rounded(value)} is below the proven bound ${best.bound}, so that one of them is wrong: it is not taken`);
@@ -37,7 +41,7 @@ export function keep(folder) {
     if (best === undefined || value < best.value * (1 - SAME)) {
       const stored = `best/${entry.name}.json.gz`;
       writeFileSync(join(HERE, stored), gzipSync(JSON.stringify(plan), { level: 9 }));
-      entry.best = { value: rounded(value), plan: stored, by, bound: known > 0 ? rounded(known) : null };
+      entry.best = { value: rounded(value), plan: stored, by: typeof by === 'string' ? by : 'unknown', bound: known > 0 ? rounded(known) : null };
       console.log(`${entry.name}: ${rounded(value)}${best === undefined ? '' : ` instead of ${best.value}`}`);
     } else if (known > (best.bound ?? 0)) {
       best.bound = rounded(known);
@@ -45,6 +49,16 @@ export function keep(folder) {
   }
   if (found === 0) throw new Stop(`No plan in ${folder} is named after an instance: a plan for the instance NAME is named NAME.json or NAME.json.gz.`);
   store(list);
+}
+
+/** The plan in a file that check.py has accepted; null if others could not read it. */
+function planIn(file) {
+  const bytes = readFileSync(file);
+  try {
+    return JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(file.endsWith('.gz') ? gunzipSync(bytes) : bytes));
+  } catch {
+    return null;
+  }
 }
 
 /** A bound is taken on trust, but one above a value that is known to be reached is wrong. */

@@ -9,12 +9,12 @@
 //     freeze                             makes the instances again, for the maintainers of the benchmark
 //     site [FOLDER]                      writes the static pages (default target/benchmark-site)
 
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { gzipSync } from 'node:zlib';
 import { main, run, ROOT, Stop } from '../scripts/tools.mjs';
-import { HERE, instances } from './instances.mjs';
+import { HERE, instances, made } from './instances.mjs';
 
 const COMMANDS = {
   async check({ folder }) {
@@ -22,7 +22,7 @@ const COMMANDS = {
   },
   async solve({ folder, only, track, seconds, seed, prove }) {
     const { solved } = await import('./solve.mjs');
-    mkdirSync(needed(folder), { recursive: true });
+    made(needed(folder));
     for (const { entry, instance } of instances({ only, track })) {
       const { plan, bound } = await solved(instance, { seconds, prove: prove && { seconds: prove } }, seed);
       writeFileSync(join(folder, `${entry.name}.json.gz`), gzipSync(JSON.stringify({ ...plan, bound }), { level: 9 }));
@@ -31,7 +31,7 @@ const COMMANDS = {
   },
   async trace({ only, track, seconds, seed }) {
     const { solved } = await import('./solve.mjs');
-    mkdirSync(join(HERE, 'traces'), { recursive: true });
+    made(join(HERE, 'traces'));
     for (const { entry, instance } of instances({ only, track })) {
       const { trace } = await solved(instance, { seconds, prove: { seconds } }, seed);
       // Tours of GTSPLIB have none.
@@ -50,7 +50,7 @@ const COMMANDS = {
   async generate({ folder, seed, count, seconds }) {
     const { generated } = await import('./generate.mjs');
     const { solved } = await import('./solve.mjs');
-    mkdirSync(needed(folder), { recursive: true });
+    made(needed(folder));
     for (const track of ['CCP', 'ICP']) {
       const instance = generated({ seed, count, track });
       const [file, answer] = [join(folder, `${instance.name}.instance.json`), join(folder, `${instance.name}.json`)];
@@ -80,7 +80,7 @@ main(async () => {
   if (another !== undefined) throw new Stop(`One folder at a time: ${another} is too many.`);
   await command({
     ...{ folder: folder && resolve(folder), only: values.only ?? '', by: values.by ?? '', track: values.track },
-    ...{ seconds: positive('seconds', values.seconds, 10), seed: positive('seed', values.seed, 1), count: positive('count', values.count, 50), prove: positive('prove', values.prove) },
+    ...{ seconds: positive('seconds', values.seconds, 10), seed: whole('seed', values.seed, 1), count: whole('count', values.count, 50), prove: positive('prove', values.prove) },
   });
 });
 
@@ -101,5 +101,11 @@ function positive(name, text, otherwise) {
   if (text === undefined) return otherwise;
   const value = Number(text);
   if (!(value > 0 && Number.isFinite(value))) throw new Stop(`--${name} needs a number above 0, not ${text}.`);
+  return value;
+}
+
+function whole(name, text, otherwise) {
+  const value = positive(name, text, otherwise);
+  if (!Number.isSafeInteger(value)) throw new Stop(`--${name} needs a whole number, not ${text}.`);
   return value;
 }

@@ -1,8 +1,8 @@
 // The benchmark as static pages: a table for each track, and the gap over time of the instances that have a trace.
 
-import { cpSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { HERE, listed } from './instances.mjs';
+import { HERE, listed, made } from './instances.mjs';
 import { plot } from './plot.mjs';
 
 const TRACKS = {
@@ -15,7 +15,7 @@ const TRACKS = {
 
 /** Writes index.html with everything it refers to into a folder. */
 export async function site(folder) {
-  mkdirSync(folder, { recursive: true });
+  made(folder);
   const { instances } = listed();
   const body = Object.entries(TRACKS).map(([track, title]) => section(track, title, instances.filter((e) => e.track === track)));
   writeFileSync(join(folder, 'index.html'), page([...body, curves()].join('\n')));

@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
-import { gunzipSync } from 'node:zlib';
+import { gunzipSync, gzipSync } from 'node:zlib';
 import { generated } from '../../benchmark/generate.mjs';
 import { HERE, instances, listed } from '../../benchmark/instances.mjs';
 import { isPossible, keep } from '../../benchmark/keep.mjs';
@@ -132,6 +132,40 @@ describe('the reference checker', NEEDS_PYTHON, () => {
     const said = stdout.trim().split('\n');
     assert.match(said[0], /^31pr152 +WRONG {2}not-a-plan: True is not a node /);
     assert.match(said[1], /^sheet-100-ccp +WRONG {2}not-a-plan: .* is not a gzip file: /);
+  });
+
+  it('a plan that Python reads and others do not ended keep with a stack trace', (t) => {
+    const at = mkdtempSync(join(tmpdir(), 'kerfway-'));
+    t.after(() => rmSync(at, { recursive: true, force: true }));
+    const lines = [];
+    t.mock.method(console, 'log', (line) => lines.push(line));
+    const list = readFileSync(join(HERE, 'instances.json'), 'utf8');
+    for (const text of [JSON.stringify(best(SHEET).plan).replace('{', '{"note":NaN,'), Buffer.from(JSON.stringify(best(SHEET).plan), 'utf16le')]) {
+      writeFileSync(join(at, `${SHEET}.json`), text);
+      keep(at);
+      assert.match(lines.pop(), /^sheet-100-ccp: \S+ is not JSON in UTF-8: /);
+    }
+    assert.equal(readFileSync(join(HERE, 'instances.json'), 'utf8'), list);
+  });
+
+  it('unpacked whatever was in a gzip file', (t) => {
+    const at = mkdtempSync(join(tmpdir(), 'kerfway-'));
+    t.after(() => rmSync(at, { recursive: true, force: true }));
+    writeFileSync(join(at, `${SHEET}.json.gz`), gzipSync(Buffer.concat([JSON.stringify(best(SHEET).plan), Buffer.alloc(2 ** 26, ' ')].map((part) => Buffer.from(part)))));
+    const { status, stdout } = spawnSync('python3', [join(HERE, 'check.py'), at], { encoding: 'utf8' });
+    assert.deepEqual([status, /WRONG {2}not-a-plan: \S+ has more than 67108864 bytes$/m.test(stdout)], [1, true], stdout);
+  });
+
+  it('took seeds and counts that are no whole numbers, and showed a stack trace for folders that cannot be made', () => {
+    for (const [words, sentence] of [
+      [['generate', '/dev/null', '--count', '1.5'], '--count needs a whole number, not 1.5.'],
+      [['generate', '/dev/null', '--seed', '0.5'], '--seed needs a whole number, not 0.5.'],
+      [['generate', '/dev/null'], '/dev/null cannot be made (EEXIST): name another folder.'],
+      [['site', '/dev/null'], '/dev/null cannot be made (EEXIST): name another folder.'],
+    ]) {
+      const { status, stderr } = spawnSync(process.execPath, [join(HERE, 'run.mjs'), ...words], { encoding: 'utf8' });
+      assert.deepEqual([status, stderr.trim()], [1, sentence]);
+    }
   });
 
   it('called the instances of generate unknown when their plans were checked', (t) => {
