@@ -14,8 +14,8 @@ import { checkSize } from '../size.js';
 import { abortable } from '../with-planner.js';
 import { homeAround } from './home.js';
 import { ENGLISH, type ElementLabels } from './labels.js';
-import { label } from './looks.js';
-import { attributed } from './options.js';
+import { dress, label, type Looks } from './looks.js';
+import { attributed, early, nameOf } from './options.js';
 import { Picture } from './picture.js';
 
 /** The events of an element with their `detail`. They do not bubble. */
@@ -55,7 +55,7 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
   static createPlanner: () => Promise<Planner>;
 
   /** Options of reading and planning. They override the attributes. */
-  options: PlanningOptions = {};
+  options: PlanningOptions = early(this as DrawingElement<Result, K>, 'options') ?? {};
   /** The contents of the drawing, once it has been read. */
   loaded: Loaded | null = null;
   /** The result of the last drawing. */
@@ -65,7 +65,7 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
   private own: Partial<ElementLabels> = {};
   protected source: Source | null = null;
   /** The running or last plan, which a new one aborts. */
-  private job: { control: AbortController; stop: () => void } | null = null;
+  private job: { control: AbortController; stop: () => void; words: string } | null = null;
   private planner: Promise<Planner> | null = null;
   /** The planner that has the finished plan. An element that was removed from its page and put back has another one. */
   private holder: Promise<Planner> | null = null;
@@ -78,13 +78,14 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
 
   /** `download`: what the button says that offers the result. */
   constructor(
-    fill: (root: ShadowRoot) => void,
+    private readonly looks: Looks,
     private readonly downloadLabel: string,
   ) {
     super();
     this.root = this.attachShadow({ mode: 'open' });
-    fill(this.root);
-    label(this.root, this.words);
+    dress(this.root, looks.css);
+    this.root.innerHTML = looks.body;
+    this.labels = early(this as DrawingElement<Result, K>, 'labels') ?? {};
     this.picture = new Picture(this.piece('contours'), this.piece('path'));
     this.root.addEventListener('click', (event) => this.press((event.target as HTMLElement).dataset['does']));
     this.input.addEventListener('change', () => this.take(this.input.files));
@@ -133,12 +134,17 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
     this.planner = null;
   }
 
+  /** @internal The browser calls it. */
+  adoptedCallback(): void {
+    dress(this.root, this.looks.css);
+  }
+
   /** Reads and plans a drawing, as if it had been dropped. Resolves with the result; rejects when it fails or another drawing is opened. */
   async open(source: Source, name = nameOf(source)): Promise<Result> {
     this.job?.control.abort();
     const control = new AbortController();
     this.source = source;
-    [this.loaded, this.result] = [null, null];
+    [this.loaded, this.result, this.holder] = [null, null, null];
     this.picture.show(null, null);
     this.become('reading', this.words.reading(name));
     const run = this.plan(source, {
@@ -153,13 +159,14 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
         if (!control.signal.aborted) this.follow(progress);
       },
     });
-    this.job = { control, stop: () => run.stop() };
+    const job = (this.job = { control, stop: () => run.stop(), words: '' });
     try {
       const planned = await run;
       this.holder = this.planner;
+      job.words = this.inWords(planned);
       this.picture.follow(planned.path);
       const result = await this.made(planned, control.signal);
-      this.finish(result, this.inWords(planned));
+      this.finish(result);
       return result;
     } catch (error) {
       if (!control.signal.aborted) this.fail(error);
@@ -193,15 +200,15 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
     return this.planner;
   }
 
-  protected finish(result: Result, words: string): void {
+  protected finish(result: Result): void {
     this.result = result;
-    this.become('done', words);
+    this.become('done', this.job?.words ?? '');
     this.tell('result', result);
   }
 
-  /** Whether the planner still has the finished plan. */
+  /** Whether the planner still has the finished plan of the drawing. */
   protected get held(): boolean {
-    return this.state === 'done' && this.holder !== null && this.holder === this.planner;
+    return this.holder !== null && this.holder === this.planner;
   }
 
   protected fail(error: unknown): void {
@@ -292,9 +299,4 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
   private get input(): HTMLInputElement {
     return this.root.querySelector('input') as HTMLInputElement;
   }
-}
-
-/** The name of a file; other sources have none. */
-function nameOf(source: Source): string {
-  return typeof source === 'object' && source !== null && 'name' in source && typeof source.name === 'string' ? source.name : 'drawing.dxf';
 }

@@ -72,13 +72,14 @@ const BAR = `
 <input type="file" accept=".dxf,.svg" hidden>
 `;
 
-export function fillPlanner(root: ShadowRoot): void {
-  fill(root, CSS, STAGE + BAR);
+/** What an element looks like, and what is in it. */
+export interface Looks {
+  css: string;
+  body: string;
 }
 
-export function fillQuote(root: ShadowRoot): void {
-  fill(root, CSS + REPORT, `${STAGE}<div><p part="price" role="status"></p><dl part="report"></dl></div>${BAR}`);
-}
+export const PLANNER: Looks = { css: CSS, body: STAGE + BAR };
+export const QUOTE: Looks = { css: CSS + REPORT, body: `${STAGE}<div><p part="price" role="status"></p><dl part="report"></dl></div>${BAR}` };
 
 /** Writes the fixed texts. They are set as text, so that a label cannot contain markup. */
 export function label(root: ShadowRoot, labels: ElementLabels): void {
@@ -86,10 +87,12 @@ export function label(root: ShadowRoot, labels: ElementLabels): void {
   for (const piece of root.querySelectorAll<HTMLElement>('[data-label]')) piece.setAttribute('aria-label', String(labels[piece.dataset['label'] as keyof ElementLabels]));
 }
 
-/** Fills a shadow root. It uses a constructed style sheet, because a Content-Security-Policy may forbid style elements. */
-function fill(root: ShadowRoot, css: string, body: string): void {
-  const sheet = new CSSStyleSheet();
+/**
+ * Gives a shadow root its style sheet. It is a constructed one, because a Content-Security-Policy may forbid style elements, and belongs to one
+ * document: an element that is moved to another one has none.
+ */
+export function dress(root: ShadowRoot, css: string): void {
+  const sheet = new (root.ownerDocument.defaultView ?? globalThis).CSSStyleSheet();
   sheet.replaceSync(css);
   root.adoptedStyleSheets = [sheet];
-  root.innerHTML = body;
 }

@@ -1,5 +1,6 @@
-/** Reads the options of a plan from the attributes of an element. */
+/** Reads what a host gives an element: attributes, properties, and files. */
 
+import type { Source } from '../bytes.js';
 import type { PlanningOptions } from '../options.js';
 import type { Unit } from '../protocol.js';
 
@@ -24,4 +25,16 @@ export function attributed(element: Element): PlanningOptions {
     if (text !== null) options[name] = numberIn(text);
   }
   return options;
+}
+
+/** Takes a property that a host has set before the element was defined, which the class would replace or hide. */
+export function early<E extends Element, K extends string & keyof E>(element: E, name: K): E[K] | undefined {
+  const value = Object.getOwnPropertyDescriptor(element, name)?.value as E[K] | undefined;
+  Reflect.deleteProperty(element, name);
+  return value;
+}
+
+/** The name of a file; other sources have none. */
+export function nameOf(source: Source): string {
+  return typeof source === 'object' && source !== null && 'name' in source && typeof source.name === 'string' ? source.name : 'drawing.dxf';
 }

@@ -6,7 +6,7 @@ import type { Source } from '../bytes.js';
 import type { PlanJobOptions } from '../options.js';
 import type { OutputKind, Progress } from '../protocol.js';
 import { DrawingElement, type DrawingEvents, type ElementState } from './drawing.js';
-import { fillPlanner } from './looks.js';
+import { PLANNER } from './looks.js';
 
 /** The events of `<kerfway-planner>`. The result is the plan with its G-code. */
 export type PlannerEvents = DrawingEvents<Planned<'gcode'>>;
@@ -23,7 +23,7 @@ declare global {
 /** The class of `<kerfway-planner>`. */
 export class KerfwayPlanner extends DrawingElement<Planned<'gcode'>, 'gcode'> {
   constructor() {
-    super(fillPlanner, 'Download G-code');
+    super(PLANNER, 'Download G-code');
   }
 
   /** Writes the finished plan in another format; see `render`. */

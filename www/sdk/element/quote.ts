@@ -9,8 +9,8 @@ import type { Material, Quote } from '../quote.js';
 import { quoteBudget } from '../quote-budget.js';
 import { abortable } from '../with-planner.js';
 import { DrawingElement, type DrawingEvents } from './drawing.js';
-import { fillQuote } from './looks.js';
-import { numberIn } from './options.js';
+import { QUOTE } from './looks.js';
+import { early, numberIn } from './options.js';
 
 /** Events of `<kerfway-quote>`; the result is the report. */
 export type QuoteEvents = DrawingEvents<Quote>;
@@ -30,14 +30,16 @@ export class KerfwayQuote extends DrawingElement<Quote, never> {
   static readonly observedAttributes: readonly string[] = MATERIAL;
 
   /** A function of the host that returns the price in words, which is shown above the figures. It is called for every report. */
-  price: ((quote: Quote) => string | Promise<string>) | null = null;
+  price: ((quote: Quote) => string | Promise<string>) | null = early(this as KerfwayQuote, 'price') ?? null;
 
   private sheet: Material | null = null;
   /** The number of reports requested so far. The results of earlier requests are dropped. */
   private requested = 0;
 
   constructor() {
-    super(fillQuote, 'Download the report');
+    super(QUOTE, 'Download the report');
+    const material = early(this as KerfwayQuote, 'material');
+    if (material !== undefined) this.material = material;
   }
 
   /** The material of the sheet: the one set here, or else that of the attributes. Setting it makes a new report of the same plan. */
@@ -80,14 +82,15 @@ export class KerfwayQuote extends DrawingElement<Quote, never> {
 
   // Reports the finished plan again for another material, without a new search.
   private reportAgain(): void {
-    if (this.state !== 'done') return;
+    // One that failed, for a thickness that cannot be one, can be put right.
+    if (this.state !== 'done' && !(this.state === 'failed' && this.held)) return;
     if (!this.held && this.source !== null) {
       this.open(this.source, this.loaded?.name).catch(() => {});
       return;
     }
     const number = this.requested;
     this.reported().then(
-      (quote) => this.finish(quote, this.piece('numbers').textContent ?? ''),
+      (quote) => this.finish(quote),
       (error: unknown) => {
         if (number + 1 === this.requested) this.fail(error);
       },
