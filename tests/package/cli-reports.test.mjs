@@ -106,6 +106,17 @@ describe('reports of the command line', () => {
     assert.deepEqual([code, stderr], [1, `kerfway: ${other}: This is not a plan of the kind kerfway.plan/1: it has no text \`schema\`.\n`]);
   });
 
+  it('JSON that Windows PowerShell had stored from standard output was no JSON', async (t) => {
+    const { at, path } = drawing(t);
+    const [plan, mine] = [join(at, 'plan.json'), join(at, 'mine.json')];
+    const stored = (file, text) => writeFileSync(file, `\ufeff${text}`, 'utf16le');
+    stored(plan, (await kerfway('plan', path, '--moves', '1', '--seed', '1', '--json', '-')).stdout);
+    const { code, stdout, stderr } = await kerfway('calibrate', `${plan}=8`, '--json', '-');
+    assert.equal(code, 0, stderr);
+    stored(mine, stdout);
+    assert.match((await kerfway('plan', path, '--moves', '1', '--machine', mine)).stdout, /; machine co2-100w$/m);
+  });
+
   it('calibrate wrote a machine for seconds that no machine near to this one takes', async (t) => {
     const { at, path } = drawing(t);
     const [plan, fitted] = [join(at, 'plan.json'), join(at, 'fitted.json')];

@@ -78,6 +78,11 @@ describe('kerfway solve', () => {
     assert.match((await kerfway('solve', path, '--moves', '1000')).stdout, /row\.tsp: length 80, 5 stops/);
   });
 
+  it('reported 1 stops', async (t) => {
+    const one = instance(t, 'one.tsp', 'NAME: one\nTYPE: TSP\nDIMENSION: 1\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n1 0 0\nEOF\n');
+    assert.match((await kerfway('solve', one, '--moves', '1')).stdout, /^one\.tsp: length 0, 1 stop; /);
+  });
+
   it('refuses a faulty file with one sentence that names the place', async (t) => {
     const { code, stdout, stderr } = await kerfway('solve', instance(t, 'bad.tsp', TOWNS.replace('4 30 0', '4 x 0')));
     assert.deepEqual([code, stdout], [1, '']);

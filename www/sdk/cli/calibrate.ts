@@ -6,7 +6,7 @@ import type { Calibration, MachineProfile, MeasuredPlan } from '../protocol.js';
 import { parsed } from './arguments.js';
 import { Destinations, outputsOf } from './destinations.js';
 import { KerfwayError } from '../errors.js';
-import { bytesOf, Unusable, usable, WrongUse } from './io.js';
+import { textOf, Unusable, usable, WrongUse } from './io.js';
 import { machineFiles, machineOf } from './machine.js';
 import { say } from './report.js';
 import { complain } from './safe-text.js';
@@ -23,7 +23,7 @@ export async function calibrate(args: string[]): Promise<void> {
     const destinations = new Destinations(outputs, [...files, ...machineFiles(given, planner)]);
     destinations.begin([first]);
     const measured: MeasuredPlan[] = [];
-    for (const { file, seconds } of jobs) measured.push({ plan: new TextDecoder().decode(await bytesOf(file)), seconds });
+    for (const { file, seconds } of jobs) measured.push({ plan: await textOf(file), seconds });
     const own = measured.map(({ plan }) => plannedFor(plan));
     const machine = await machineOf(given, planner, own[0]);
     for (const [k, { name } = machine] of own.entries()) {

@@ -116,6 +116,12 @@ export async function bytesOf(file: string): Promise<Uint8Array> {
   }
 }
 
+/** The text of a file with JSON: UTF-8, or the UTF-16 in which Windows PowerShell stores what a command prints. */
+export async function textOf(file: string): Promise<string> {
+  const bytes = await bytesOf(file);
+  return new TextDecoder(bytes[0] === 0xff && bytes[1] === 0xfe ? 'utf-16le' : 'utf-8').decode(bytes);
+}
+
 /** Reads the stream of a file to its end. */
 async function upToLimit(file: string, stream: AsyncIterable<unknown>): Promise<Uint8Array> {
   const chunks: Uint8Array[] = [];

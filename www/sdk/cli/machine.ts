@@ -9,7 +9,7 @@ import { JOINT_KINDS, JOINT_SIDES, jointRules, SIZE_TESTS, type JointPattern } f
 import { LEAD_KINDS, LEAD_POSITIONS, leadRules, type LeadChoice } from '../leads.js';
 import { number, oneOf, text, type Words } from './arguments.js';
 import { checkedAsWritten } from './as-written.js';
-import { bytesOf, Unusable, WrongUse } from './io.js';
+import { textOf, Unusable, WrongUse } from './io.js';
 import { RISKY_MOVES } from './option-groups.js';
 
 const OPTION_OF_TIPS = ['nozzle-radius', 'tip-margin', 'slats', 'tips-below', 'drops-below', 'cross-over'];
@@ -217,9 +217,9 @@ async function dialectOf(word: string, machine: MachineProfile, { dialects }: Pl
 const isFile = (word: string) => /[./\\]/.test(word);
 
 async function json(word: string, remedy: string): Promise<unknown> {
-  const bytes = await bytesOf(word);
+  const content = await textOf(word);
   try {
-    return JSON.parse(new TextDecoder().decode(bytes));
+    return JSON.parse(content);
   } catch {
     throw new Unusable(`${word} is not JSON: ${remedy}`);
   }

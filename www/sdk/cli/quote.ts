@@ -10,7 +10,7 @@ import type { Stock } from '../sheets.js';
 import { parsed, positive, text, type Words } from './arguments.js';
 import { checkedAsWritten } from './as-written.js';
 import { outputsOf } from './destinations.js';
-import { bytesOf, subject, Unusable, usable, WrongUse } from './io.js';
+import { subject, textOf, Unusable, usable, WrongUse } from './io.js';
 import { planFiles } from './planning.js';
 import type { Column } from './report.js';
 import { savingLines, savingsOf } from './savings.js';
@@ -111,7 +111,7 @@ function limitLines({ checks }: Quote): string[] {
 async function limitsOf({ values }: Words): Promise<{ limits?: Limits }> {
   const file = text(values, 'limits');
   if (file === undefined) return {};
-  const content = new TextDecoder().decode(await bytesOf(file));
+  const content = await textOf(file);
   try {
     const limits = JSON.parse(content) as Limits;
     checkOptions({ limits }, 'terms');

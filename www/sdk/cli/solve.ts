@@ -37,7 +37,7 @@ export async function solve(args: string[]): Promise<void> {
   const data = `${JSON.stringify(found)}\n`;
   await destinations.write(file, outputs.map((output) => ({ output, data })));
   await say([
-    `${nameOf(file)}: length ${found.length}, ${found.tour.length} stops; ${proven(found)}`,
+    `${nameOf(file)}: length ${found.length}, ${plural(found.tour.length, 'stop')}; ${proven(found)}`,
     `Search     seed ${seed}, ${plural(found.moves, 'move')} in ${elapsed(found.seconds)}`,
   ], destinations.piped);
 }

@@ -5,7 +5,7 @@ import { createPlanner } from '../node.js';
 import type { MachineProfile, Verified } from '../protocol.js';
 import { parsed, text, type Words } from './arguments.js';
 import { Destinations, outputsOf } from './destinations.js';
-import { bytesOf, subject, Unusable, WrongUse } from './io.js';
+import { bytesOf, subject, textOf, Unusable, WrongUse } from './io.js';
 import { machineFiles, machineOf } from './machine.js';
 import { say } from './report.js';
 import { loadedResearch } from './research.js';
@@ -16,7 +16,7 @@ export async function verify(args: string[]): Promise<void> {
   if (more !== undefined) throw new WrongUse(`Give a certificate and its drawing: ${more} is one too many.`);
   const outputs = outputsOf(given, ['json']);
   const { files, ...machine } = await namedMachine(given);
-  const certificate = new TextDecoder().decode(await bytesOf(file));
+  const certificate = await textOf(file);
   const beside = drawing ?? besideCertificate(file, certificate);
   const destinations = new Destinations(outputs, [beside, ...files]);
   destinations.begin([file]);
