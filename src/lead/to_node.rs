@@ -19,6 +19,10 @@ const LENGTHS: [f64; 4] = [1.0, 0.75, 0.5, 0.25];
 const MEETS: f64 = 0.02;
 /// Least distance of a point of the lead from the contours at the node, in distances from the node: 30 degrees from a straight one.
 const STEEP: f64 = 0.5;
+/// Points of the lead at which it is measured: each is nearer to the node than the one before by this factor, so that a corner
+/// between two of them would be too near to one, down to this distance, mm.
+const NEXT_POINT: f64 = 0.75;
+const NEAREST: f64 = 0.05;
 
 impl Planner<'_> {
     /// The lead-in to a node at which the cut of a group begins along a contour; `None` if no rule asks for it, or it fits nowhere.
@@ -64,8 +68,10 @@ impl Scrap<'_> {
         self.index.visit(lead.bounds().grown(self.reach()), |k| {
             let Some(element) = self.elements.get(k) else { return true };
             if meeting.contains(&element.contour) {
-                for t in [0.0, 0.25, 0.5, 0.75] {
-                    let at = lead.at(t);
+                let (mut rest, length) = (1.0, lead.length());
+                while rest * length > NEAREST {
+                    let at = lead.at(1.0 - rest);
+                    rest *= NEXT_POINT;
                     slope = slope.min(element.shape.nearest(at).1.sqrt() / at.distance(node));
                 }
             } else if distance(&lead, &element.shape).0 < element.least {

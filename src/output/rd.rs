@@ -18,7 +18,7 @@ use super::process::CutProcess;
 use super::sheet_facts::SheetFacts;
 use crate::geometry::{Aabb, DVec2, Segment, arcs};
 use crate::machine::Profile;
-use crate::plan::Plan;
+use crate::plan::{Move, Plan};
 
 /// Largest distance between an arc and its chords, mm.
 const CHORD_DEVIATION: f64 = 0.005;
@@ -32,7 +32,8 @@ const FARTHEST: f64 = 2_147_483_647.0;
 /// The Ruida file of a plan.
 ///
 /// # Errors
-/// The plan cuts in too many ways, too far from the origin, or at several heights, it waits, or it lifts the head.
+/// The plan cuts in too many ways, too far from the origin, or at several heights, it waits, it pauses in corners, it makes pre-cuts
+/// that have a length, or it lifts the head.
 pub fn rd(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> Result<Vec<u8>, OutputError> {
     let cuts = cuts(plan);
     if cuts.iter().any(|c| c.z < 0.0) {
@@ -44,6 +45,17 @@ pub fn rd(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> Result<Vec<u8>,
     if plan.summary.waits > 0 {
         return Err(OutputError::Format(
             "Ruida files of Kerfway have no waits: give near cuts a charge in the machine's levers.heat, or write G-code."
+                .to_owned(),
+        ));
+    }
+    if plan.moves.iter().any(|m| matches!(m, Move::Macro { .. })) {
+        return Err(OutputError::Format(
+            "Ruida files of Kerfway have no pauses in sharp corners: switch them off in the machine, or write G-code.".to_owned(),
+        ));
+    }
+    if plan.moves.iter().any(|m| matches!(m, Move::PreCut { ahead, .. } if !ahead.is_empty())) {
+        return Err(OutputError::Format(
+            "Ruida files of Kerfway have no cuts ahead of a pre-cut: set the machine's pre_cut_length to 0, or write G-code."
                 .to_owned(),
         ));
     }

@@ -1,5 +1,5 @@
 //! Pieces of drawings found in public repositories, whose groups of contours were planned wrongly or refused by the check.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use crate::testkit::dxf_text::document;
 use crate::testkit::plates::{thick, together};
@@ -125,4 +125,19 @@ fn a_circle_that_a_line_ends_beside_is_as_large_as_drawn() {
             plan.summary.bounds
         );
     }
+}
+
+/// Directions at a node were taken at a share of the length of each element: an arc that leaves a circle along its tangent came on
+/// the wrong side of it, so the group had wrong areas, and nothing of it was between two parts.
+#[test]
+fn an_arc_that_leaves_a_circle_along_its_tangent_is_in_order_at_the_node() {
+    let arc = "0\nLWPOLYLINE\n8\n0\n90\n3\n70\n0\n10\n0\n20\n0\n42\n0.414213562373095\n10\n10\n20\n10\n10\n10\n20\n98.98979485566356\n";
+    let chord = [[9.396_926_207_859, 6.579_798_566_743], [-50.0, 50.0]];
+    let drawn = circle([0.0, 50.0], 50.0) + arc + &line(chord);
+    let job = load(4, &drawn);
+    let [group] = &job.sheet().groups[..] else { panic!("{} groups", job.sheet().groups.len()) };
+    let shared: f64 = group.between_parts().map(|e| group.path(e).length()).sum();
+    assert!(shared > 100.0, "{shared} mm are between two parts");
+    let lines = std::f64::consts::PI * (100.0 + 5.0) + 88.9898 + 73.5747;
+    assert!(plans(&drawn).iter().all(|plan| (plan.summary.cut_length - lines).abs() < 0.01));
 }

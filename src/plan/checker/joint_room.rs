@@ -9,8 +9,9 @@ use crate::sheet::{Contour, Operation, Sheet};
 
 /// Largest error of the length of a joint, mm.
 pub(super) const LENGTH: f64 = 1e-3;
-/// A corner turns by more than this, degrees: slightly more than where the planner sees one.
-const CORNER: f64 = 10.1;
+/// What turns by more than the first, degrees, surely is a corner for the planner, and what turns by more than the second may
+/// be one: its limit is between them.
+pub(super) const CORNER: [f64; 2] = [10.1, 9.9];
 /// Points along a joint at which its distance from other cuts is measured.
 const POINTS: u32 = 8;
 /// A missing joint counts as one if it would have this much more room on all sides, in lengths of a joint.
@@ -33,7 +34,8 @@ pub(super) struct On<'a> {
     pub(super) others: &'a Others,
     pub(super) gap: f64,
     pub(super) clearance: f64,
-    pub(super) corners: Vec<f64>,
+    /// Arc lengths of what surely is a corner, and of what may be one, mm.
+    pub(super) corners: [Vec<f64>; 2],
 }
 
 impl On<'_> {
@@ -90,7 +92,7 @@ impl On<'_> {
             return Some(("is of the wrong kind", at));
         }
         let middle = self.middle(&joint.path)?;
-        if self.corners.iter().any(|&c| self.apart(c, middle) < 0.5 * length + self.clearance - LENGTH) {
+        if self.corners[0].iter().any(|&c| self.apart(c, middle) < 0.5 * length + self.clearance - LENGTH) {
             return Some(("is too near to a corner", at));
         }
         let least = 0.5 * self.gap - LENGTH;
@@ -125,7 +127,9 @@ impl On<'_> {
                 stretch - self.gap > most + LENGTH
             });
             let near = middles.iter().any(|&m| self.apart(m, at) < 3.0 * self.gap + room)
-                || self.corners.iter().any(|&c| self.apart(c, at) < 0.5 * self.gap + self.clearance + room);
+                || self.corners[1]
+                    .iter()
+                    .any(|&c| self.apart(c, at) < 0.5 * self.gap + self.clearance + room);
             if (few || too_long) && !near {
                 let joint = path.between(
                     (at - 0.5 * self.gap).rem_euclid(whole),
@@ -142,8 +146,8 @@ impl On<'_> {
     }
 }
 
-/// Arc lengths of the corners of a closed path, mm.
-pub(super) fn corners(path: &Path) -> Vec<f64> {
+/// Arc lengths of the places where a closed path turns by more than `least` degrees, mm.
+pub(super) fn corners(path: &Path, least: f64) -> Vec<f64> {
     let elements: Vec<&Segment> = path.segments.iter().filter(|s| s.length() > 0.0).collect();
     let ends = elements.iter().scan(0.0, |at, s| {
         *at += s.length();
@@ -154,7 +158,7 @@ pub(super) fn corners(path: &Path) -> Vec<f64> {
         let (u, v) = (a.tangent(1.0), b.tangent(0.0));
         math::atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y).to_degrees().abs()
     };
-    elements.iter().zip(next).zip(ends).filter(|((a, b), _)| turn(a, b) > CORNER).map(|(_, at)| at).collect()
+    elements.iter().zip(next).zip(ends).filter(|((a, b), _)| turn(a, b) > least).map(|(_, at)| at).collect()
 }
 
 /// All cuts with their contours.

@@ -4,7 +4,7 @@
 //! count as the contour's. Here every joint is checked for its length, its distance from corners and other cuts, and for
 //! overcuts that run over it (`joint_room.rs`).
 
-use super::joint_room::{LENGTH, Made, On, Others, corners, length_of};
+use super::joint_room::{CORNER, LENGTH, Made, On, Others, corners, length_of};
 use super::lead_rules::rule as lead_rule;
 use super::tolerance::SAME;
 use super::violation::Violation;
@@ -36,6 +36,12 @@ pub(super) fn asked(sheet: &Sheet, machine: &Profile, id: u32) -> Option<(JointR
         (Some(rule), false) if rule.count > 0 || rule.spacing.is_some() => Some((*rule, false)),
         _ => None,
     }
+}
+
+/// The contours that may be cut as one with others: they have no joints, whether the plan cuts them as one or one by one.
+pub(super) fn grouped(sheet: &Sheet, machine: &Profile) -> FxHashSet<u32> {
+    let groups = sheet.cut_as_one(machine.cuts_as_one());
+    groups.iter().flat_map(|g| &g.contours).copied().collect()
 }
 
 /// Length that each joint of a contour leaves uncut, mm; 0 if it has none.
@@ -95,9 +101,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         return;
     }
     let others = Others::new(sheet);
-    // What may be cut as one has no joints, whether the plan cuts it as one or contour by contour.
-    let groups = sheet.cut_as_one(machine.cuts_as_one());
-    let grouped: FxHashSet<u32> = groups.iter().flat_map(|g| &g.contours).copied().collect();
+    let grouped = grouped(sheet, machine);
     // Number of joints, and of those among them that may be gaps of overcuts instead.
     let (mut count, mut either) = (0_u32, 0_u32);
     for (id, (contour, mut work)) in (0..).zip(sheet.contours.iter().zip(work(sheet, plan))) {
@@ -117,7 +121,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             others: &others,
             gap: rule.width + machine.kerf_width,
             clearance: rule.corner_clearance,
-            corners: corners(&contour.path),
+            corners: CORNER.map(|least| corners(&contour.path, least)),
         };
         if let Some(joint) = at_beginning(&on, &work) {
             // An overcut may leave a gap of the same length, also where no joint fits.

@@ -25,6 +25,7 @@ pub(super) fn check(
         return;
     }
     let groups = Groups::new(sheet, machine, plan);
+    let grouped = joints::grouped(sheet, machine);
     // A cut may pause in sharp corners. Faults of these pauses are reported elsewhere.
     let moves = joined(&plan.moves, machine, &groups, &mut Vec::new());
     let begins = |m: &Move| *m == Move::MovingStart;
@@ -50,7 +51,8 @@ pub(super) fn check(
         if known.operation == Operation::Mark {
             continue;
         }
-        let at_rest = groups.holds(*contour) || joints::asked(sheet, machine, *contour).is_some();
+        let has_joints = !grouped.contains(contour) && joints::asked(sheet, machine, *contour).is_some();
+        let at_rest = groups.holds(*contour) || has_joints;
         if !known.path.closed || at_rest {
             fault("begins a cut moving that has to be pierced at rest");
         }

@@ -10,8 +10,8 @@ use super::group::{GroupElement, PierceGroup};
 use crate::geometry::{DVec2, Path, math};
 use crate::order::{real, sort_by};
 
-/// Where the direction of an element at a node is taken, as a fraction of its length. Arcs with a common tangent at the
-/// node have diverged there.
+/// Where the directions of the elements at a node are taken, as a fraction of the length of the shortest of them: at one
+/// distance, where those with a common tangent at the node have diverged, as far as each of them turns.
 const AHEAD: f64 = 0.05;
 
 /// The group of a set of contours; `None` when its elements form no planar graph, for example because they cross
@@ -56,7 +56,9 @@ fn trace(elements: &mut [GroupElement], paths: &[Path], nodes: usize) -> Option<
     }
     let mut after = vec![0; 2 * elements.len()];
     for halves in &mut leaving {
-        sort_by(halves, |&h| [real(math::angle_order(direction(&paths[h / 2], h % 2 == 1))), 0, 0]);
+        let shortest = halves.iter().map(|&h| paths[h / 2].length()).fold(f64::INFINITY, f64::min);
+        let leaves = |h: usize| direction(&paths[h / 2], h % 2 == 1, AHEAD * shortest);
+        sort_by(halves, |&h| [real(math::angle_order(leaves(h))), 0, 0]);
         for (k, &h) in halves.iter().enumerate() {
             // A traversal that arrives by the opposite half-edge of h continues with the one before h in
             // counter-clockwise order.
@@ -90,10 +92,10 @@ fn trace(elements: &mut [GroupElement], paths: &[Path], nodes: usize) -> Option<
     (around == 1).then_some(inner)
 }
 
-/// The direction from a node into an element.
-fn direction(path: &Path, from_end: bool) -> DVec2 {
+/// The direction from a node to a place `ahead` mm along an element.
+fn direction(path: &Path, from_end: bool, ahead: f64) -> DVec2 {
     let length = path.length();
-    let (at, there) = if from_end { (length, length * (1.0 - AHEAD)) } else { (0.0, length * AHEAD) };
+    let (at, there) = if from_end { (length, length - ahead) } else { (0.0, ahead) };
     path.at(there).unwrap_or_default() - path.at(at).unwrap_or_default()
 }
 

@@ -9,16 +9,19 @@
 //!    would lie in each other with the kerf ([`crossed`]).
 //! 2. **Offset** ([`offset`]). The other contours are offset one by one. Corners stay sharp where there is room, so
 //!    parts that lie one kerf apart have one line in the middle between them, up to the corners where four of them meet.
-//! 3. **Shared lines** (the cleaning and joining of this stage). Lines that now coincide are cut once.
+//! 3. **Shared lines** (the cleaning and joining of this stage). Lines that now coincide are cut once, and every contour
+//!    keeps a stretch of its own ([`covered`]).
 //!
 //! Contours keep their ids, nesting, parts and areas, which refer to the part as drawn. If a contour is left in several
 //! pieces, the additional ones come last, with new ids. A finding reports every contour that keeps its drawn line, with
 //! its place.
 
 mod clearance;
+mod covered;
 mod crossed;
 mod facing;
 mod findings;
+
 mod offset;
 mod raw;
 mod shift;
@@ -141,13 +144,14 @@ fn cut_once(sheet: &mut Sheet, moved: &[Option<Path>], [copy, join]: [f64; 2], f
     // The total length that is cut once is reported below for the whole sheet; groups are reported by the planner.
     let mut quiet = Findings::default();
     let chains = clean(Source::MovedContours, &moved, copy, join, &mut quiet);
-    let mut lines: Vec<Vec<(Path, Option<Path>)>> = vec![Vec::new(); sheet.contours.len()];
+    let mut lines = vec![covered::Pieces::new(); sheet.contours.len()];
     for a in assemble(Source::MovedContours, &chains, join, false, &mut quiet).contours {
         // The contour gets the piece that bounds its area.
         let of = &mut lines[a.first_shape as usize];
         let place = if a.path.closed || a.outline.is_some() { 0 } else { of.len() };
         of.insert(place, (a.path, a.outline));
     }
+    covered::give_back(&mut lines, &moved, copy);
     let mut part_of = vec![None; sheet.contours.len()];
     for (k, part) in sheet.parts.iter().enumerate() {
         for &contour in part.holes.iter().chain([&part.outer]) {

@@ -17,4 +17,6 @@ mod one_kerf_apart;
 mod outlines_alone;
 mod shift_choice;
 mod shifted;
+mod surrounded;
 mod together;
+mod with_levers;

@@ -160,3 +160,10 @@ fn g_code_pauses_in_the_corners_with_the_beam_off() {
     assert_eq!(text.lines().filter(|l| l.contains(": cut contour")).count(), 6);
     covers(&forms(0.1), &text);
 }
+
+/// Ruida files were written without the pauses and without a word.
+#[test]
+fn ruida_files_refuse_plans_that_pause_in_corners() {
+    let refused = planned(&forms(0.0), thick()).output(OutputKind::Rd).unwrap_err().to_string();
+    assert!(refused.starts_with("Ruida files of Kerfway have no pauses in sharp corners: "), "{refused}");
+}

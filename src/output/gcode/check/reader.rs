@@ -218,10 +218,9 @@ impl Reader<'_, '_> {
             }
             self.program.lifts = self.program.lifts.saturating_add(u32::from(!was && self.is_lifted()));
         }
-        if line.has('X') || line.has('Y') {
-            self.moves(line, unit);
-        } else if line.has('I') && line.has('J') && self.motion >= 2 {
-            // A full circle without an end.
+        // A full circle has no end, and its centre may be given along one axis; the I of an `M3 I` is no centre.
+        let circle = self.motion >= 2 && (line.has('I') || line.has('J')) && line.codes('M').next().is_none();
+        if line.has('X') || line.has('Y') || circle {
             self.moves(line, unit);
         }
     }
