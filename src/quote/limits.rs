@@ -206,7 +206,7 @@ const SLACK: f64 = 0.02;
 fn holes(part: &Part, shapes: &[Shape], limits: &Limits, list: &mut List) {
     let Some(limit) = limits.smallest_hole else { return };
     for &hole in &part.holes {
-        let Some(width) = shapes.get(hole).map(Shape::width).filter(|w| *w < limit - SLACK) else { continue };
+        let Some(width) = shapes.get(hole).and_then(|s| s.narrower_than(limit - SLACK)) else { continue };
         list.add(Exceeded {
             code: CheckCode::HoleTooSmall,
             part: id(part.outer),

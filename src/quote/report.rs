@@ -150,7 +150,7 @@ pub struct LayerUse {
 pub struct Smallest {
     /// The contour's id.
     pub contour: usize,
-    /// Distance of the two closest parallel lines that enclose it: a circle's diameter, a slot's width.
+    /// Diameter of the largest circle inside it: a circle's diameter, a slot's width, also where the slot is bent.
     pub width: f64,
     /// Width divided by the thickness, if that is given.
     pub over_thickness: Option<f64>,
@@ -279,8 +279,7 @@ fn layers(contours: &[Contour]) -> Vec<LayerUse> {
 fn smallest(parts: &[Part], shapes: &[Shape], material: &Material) -> Option<Smallest> {
     let mut least: Option<Smallest> = None;
     for &contour in parts.iter().flat_map(|p| &p.holes) {
-        let width = shapes[contour].width();
-        if least.is_none_or(|l| width < l.width) {
+        if let Some(width) = shapes[contour].narrower_than(least.map_or(f64::INFINITY, |l| l.width)) {
             least = Some(Smallest { contour, width, over_thickness: material.thickness.map(|t| width / t) });
         }
     }

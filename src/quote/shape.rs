@@ -1,12 +1,17 @@
 //! A contour as a polyline that is fine enough to measure widths.
 
-use crate::geometry::{Aabb, DVec2, Segment, math};
+use crate::geometry::{Aabb, DVec2, Path, Segment, inscribed, math};
 use crate::order::{real, sort_by};
 
 /// Largest distance between an arc and its chords, mm: a tenth of the precision of laser cutting.
 pub(super) const FINE: f64 = 0.01;
 /// Largest number of chords of an arc: those of a full circle of 20 m radius at that distance.
 const MOST: f64 = 1024.0;
+/// Number of circles that are tried along each chord of a hole.
+const SAMPLES: u32 = 9;
+/// Chords compared for each chord of a hole on average, and at least in all. A bent slot of straight lines needs about 200.
+const COMPARISONS_PER_CHORD: usize = 400;
+const MIN_COMPARISONS: usize = 20_000;
 
 /// Points along a contour, in order. Stretches follow each other as they are cut.
 #[derive(Clone, Debug, Default)]
@@ -45,9 +50,20 @@ impl Shape {
         self.points.windows(2).map(|w| [w[0], w[1]]).filter(|[a, b]| a != b)
     }
 
-    /// Width of the narrowest strip between two parallel lines that contains the contour, mm: the diameter of a circle, the
-    /// shorter side of a rectangle. It is found by rotating calipers around the convex hull.
-    pub(super) fn width(&self) -> f64 {
+    /// Diameter of the largest circle inside the contour, mm, if it is less than `limit`: the diameter of a circle, the width of
+    /// a slot, straight or bent. If a circle as wide as the hull fits, it is the width of the hull; also if the contour has so
+    /// many chords around any circle that not all can be compared.
+    pub(super) fn narrower_than(&self, limit: f64) -> Option<f64> {
+        let hull = self.hull_width();
+        let path = Path::new(self.chords().map(|[a, b]| Segment::line(a, b)).collect(), true);
+        let mut comparisons = COMPARISONS_PER_CHORD * path.segments.len() + MIN_COMPARISONS;
+        let found = inscribed(&path, [hull.min(limit), FINE], SAMPLES, &mut comparisons);
+        Some(found.map_or(hull, |(width, _)| width)).filter(|width| *width < limit)
+    }
+
+    /// Width of the narrowest strip between two parallel lines that contains the contour, mm. It is found by rotating calipers
+    /// around the convex hull.
+    fn hull_width(&self) -> f64 {
         let hull = hull(&self.points);
         let n = hull.len();
         if n < 3 {
@@ -129,7 +145,7 @@ fn hull(points: &[DVec2]) -> Vec<DVec2> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Arc, Path};
+    use crate::geometry::Arc;
 
     fn shape(path: &[Segment]) -> Shape {
         let mut shape = Shape::default();
@@ -143,13 +159,49 @@ mod tests {
         (0..4).map(|k| Segment::line(c[k], c[(k + 1) % 4])).collect()
     }
 
+    fn width(shape: &Shape) -> f64 {
+        shape.narrower_than(f64::INFINITY).unwrap()
+    }
+
+    fn polygon(corners: &[(f64, f64)]) -> Shape {
+        Shape { points: corners.iter().chain(corners.first()).map(|&c| DVec2::from(c)).collect() }
+    }
+
+    /// It was the width of the hull, here 29 mm.
+    #[test]
+    fn the_width_of_a_bent_hole_is_that_of_the_slot() {
+        let bent = [(0.0, 0.0), (40.0, 0.0), (40.0, 1.0), (1.0, 1.0), (1.0, 40.0), (0.0, 40.0)];
+        let bent = polygon(&bent);
+        // A circle in the corner reaches a little into both legs.
+        assert!((1.0..=1.172).contains(&width(&bent)), "{}", width(&bent));
+        assert_eq!(bent.narrower_than(0.9), None);
+        assert_eq!(bent.narrower_than(3.0), bent.narrower_than(f64::INFINITY));
+        // Half a turn of a slot 2 mm wide.
+        let end = |r: f64, from: f64, sweep: f64| Segment::Arc(Arc::from_angles(DVec2::ZERO, r, from, sweep));
+        let cap =
+            |x: f64| Segment::Arc(Arc::from_angles(DVec2::new(x, 0.0), 1.0, 0.0, -std::f64::consts::PI));
+        let pi = std::f64::consts::PI;
+        let curved = shape(&[end(21.0, 0.0, pi), cap(-20.0).reversed(), end(19.0, pi, -pi), cap(20.0)]);
+        assert!((width(&curved) - 2.0).abs() < 0.02, "{}", width(&curved));
+        // Sides that are not smooth do not make a hole narrow.
+        let rough: Vec<(f64, f64)> = (0..3000)
+            .map(|k| {
+                let p = math::rotate(DVec2::new(50.0, 0.0), f64::from(k) * std::f64::consts::TAU / 3000.0);
+                ((p.x * 100.0).round() / 100.0, (p.y * 100.0).round() / 100.0)
+            })
+            .collect();
+        let rough = polygon(&rough);
+        assert!((width(&rough) - 100.0).abs() < 0.1, "{}", width(&rough));
+        assert_eq!(rough.narrower_than(95.0), None);
+    }
+
     #[test]
     fn widths_and_moments_of_known_shapes() {
         let circle = shape(&[Segment::Arc(Arc::circle(DVec2::new(7.0, 9.0), 5.0))]);
-        assert!((circle.width() - 10.0).abs() < 2.0 * FINE, "{}", circle.width());
+        assert!((width(&circle) - 10.0).abs() < 2.0 * FINE, "{}", width(&circle));
         for angle in [0.0, 0.3, 2.0] {
             let r = shape(&rectangle(40.0, 10.0, angle));
-            assert!((r.width() - 10.0).abs() < 1e-9, "{}", r.width());
+            assert!((width(&r) - 10.0).abs() < 1e-9, "{}", width(&r));
             let m = r.moments();
             assert!((m.area - 400.0).abs() < 1e-8);
             // b h^3 / 12 and h b^3 / 12.
@@ -170,6 +222,6 @@ mod tests {
                 true,
             )
         };
-        assert!((shape(&slot.segments).width() - 6.0).abs() < 2.0 * FINE);
+        assert!((width(&shape(&slot.segments)) - 6.0).abs() < 2.0 * FINE);
     }
 }
