@@ -1,11 +1,13 @@
 //! Parts, and which of them are the same: a shop cuts 40 brackets, not 40 parts.
 //!
-//! Two parts are the same when they have as many holes and agree, within a thousandth, in everything that does not
-//! change when a part is turned or mirrored: area, length, principal second moments of the outer contour; area and
-//! distance from the middle of each hole. Mirrored parts count as the same: a flat part can be turned over.
+//! Two parts are the same when they have as many holes and agree, within a thousandth, in what does not change when a part is
+//! turned or mirrored: area, length, principal second moments of the outer contour; area and distance from the middle of
+//! each hole; the material between each hole and the edge, and the distances between holes. Mirrored parts count as
+//! the same: a flat part can be turned over.
 
 use super::confidence::Confidence;
-use super::shape::{Moments, Shape};
+use super::narrow::Chords;
+use super::shape::{FINE, Moments, Shape};
 use super::times::Times;
 use crate::order::{real, sort_by};
 use crate::plan::document::Contour;
@@ -15,6 +17,8 @@ use serde::Serialize;
 const SAME: f64 = 1e-3;
 /// And those of at most this many mm or mm2.
 const SMALL: f64 = 0.01;
+/// Largest number of holes of one part whose distances from each other are compared.
+const MOST: usize = 32;
 
 /// A group of equal parts.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -106,32 +110,68 @@ struct Features {
     length: f64,
     /// Area and distance from the middle, the smallest first.
     holes: Vec<[f64; 2]>,
+    /// Distances between the middles of holes, by the areas of the two, then the shortest first.
+    between: Vec<f64>,
+    /// Material between each hole and the edge, the least first.
+    edges: Vec<f64>,
 }
 
 impl Features {
     fn of(part: &Part, shapes: &[Shape]) -> Self {
-        let outer = shapes[part.outer].moments();
-        let mut holes: Vec<[f64; 2]> = part
-            .holes
-            .iter()
-            .map(|&h| shapes[h].moments())
-            .map(|m| [m.area, m.centroid.distance(outer.centroid)])
-            .collect();
-        // Areas that differ by rounding alone must not change the order of the distances.
-        sort_by(&mut holes, |[area, distance]| [real((area / SMALL).round()), real(*distance), 0]);
+        let outline = &shapes[part.outer];
+        let outer = outline.moments();
+        let chords = Chords::of(outline);
+        let edge = |&h: &usize| {
+            chords.nearest(&Chords::of(&shapes[h]), f64::INFINITY).map_or(0.0, |(width, _)| width)
+        };
+        let mut edges: Vec<f64> = part.holes.iter().map(edge).collect();
+        sort_by(&mut edges, |edge| [real(*edge), 0, 0]);
+        let mut moments: Vec<Moments> = part.holes.iter().map(|&h| shapes[h].moments()).collect();
+        sort_by(&mut moments, |m| [real(m.area), 0, 0]);
+        // Holes of the same area are of one kind: areas that differ by rounding alone must not change the order of the distances.
+        let mut kinds: Vec<Vec<Moments>> = Vec::new();
+        for m in moments {
+            match kinds.last_mut() {
+                Some(kind) if kind.last().is_some_and(|l| near(l.area, m.area)) => kind.push(m),
+                _ => kinds.push(vec![m]),
+            }
+        }
+        let (mut holes, mut few) = (Vec::new(), Vec::new());
+        for (kind, members) in kinds.iter().enumerate() {
+            let mut of_kind: Vec<[f64; 2]> =
+                members.iter().map(|m| [m.area, m.centroid.distance(outer.centroid)]).collect();
+            sort_by(&mut of_kind, |[_, distance]| [real(*distance), 0, 0]);
+            holes.extend(of_kind);
+            // All of a kind or none, so that the choice does not depend on their order.
+            if few.len() + members.len() <= MOST {
+                few.extend(members.iter().map(|m| (kind as u64, m.centroid)));
+            }
+        }
+        let mut pairs: Vec<([u64; 2], f64)> = Vec::new();
+        for (k, (kind, at)) in few.iter().enumerate() {
+            pairs.extend(few[..k].iter().map(|(other, from)| ([*other, *kind], from.distance(*at))));
+        }
+        sort_by(&mut pairs, |&([a, b], distance)| [a, b, real(distance)]);
+        let between = pairs.into_iter().map(|(_, distance)| distance).collect();
         // Of the outline: a side that is cut with another part is no less of it.
-        let length = shapes[part.outer].chords().map(|[a, b]| a.distance(b)).sum();
-        Self { outer, length, holes }
+        let length = outline.chords().map(|[a, b]| a.distance(b)).sum();
+        Self { outer, length, holes, between, edges }
     }
 
     fn same(&self, other: &Self) -> bool {
-        let near = |a: f64, b: f64| (a - b).abs() <= SMALL.max(SAME * a.abs().max(b.abs()));
+        let all = |a: &[f64], b: &[f64]| a.len() == b.len() && a.iter().zip(b).all(|(&a, &b)| near(a, b));
         let [a, b] =
             [self, other].map(|f| [f.outer.area, f.length, f.outer.principal[0], f.outer.principal[1]]);
-        a.into_iter().zip(b).all(|(a, b)| near(a, b))
-            && self.holes.len() == other.holes.len()
-            && self.holes.as_flattened().iter().zip(other.holes.as_flattened()).all(|(&a, &b)| near(a, b))
+        all(&a, &b)
+            && all(self.holes.as_flattened(), other.holes.as_flattened())
+            && all(&self.between, &other.between)
+            // Between chords, of which each may be as far from its arc.
+            && self.edges.iter().zip(&other.edges).all(|(a, b)| (a - b).abs() <= SMALL + 2.0 * FINE || near(*a, *b))
     }
+}
+
+fn near(a: f64, b: f64) -> bool {
+    (a - b).abs() <= SMALL.max(SAME * a.abs().max(b.abs()))
 }
 
 /// The parts in groups of the same, those with most area first.
