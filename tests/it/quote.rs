@@ -383,3 +383,61 @@ fn pieces_in_holes_float_and_findings_count_for_the_part_they_lie_on() {
     );
     assert!(quote.parts.iter().flat_map(|g| &g.items).all(|i| i.confidence.level == Level::High));
 }
+
+/// A plate of 100 x 100 with round holes of these radii at these places from its middle.
+fn square_plate(holes: &[(f64, f64, f64)], put: &Similarity) -> Vec<Entity> {
+    let corner = |x, y| (DVec2::new(x, y) * 50.0, 0.0);
+    let outer = Entity::Polyline(
+        vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)],
+        true,
+    );
+    let holes = holes.iter().map(|&(x, y, r)| Entity::Circle(DVec2::new(x, y), r));
+    std::iter::once(outer).chain(holes).map(|e| e.transformed(put)).collect()
+}
+
+/// Parts were compared by the areas of their holes and their distances from the middle alone.
+#[test]
+fn parts_whose_holes_lie_at_other_angles_are_different() {
+    let opposite = [(-30.0, 0.0, 5.0), (30.0, 0.0, 5.0)];
+    let diagonal = [(-18.0, -24.0, 5.0), (18.0, 24.0, 5.0)];
+    let adjacent = [(-30.0, 0.0, 5.0), (0.0, 30.0, 5.0)];
+    let large_first = [(-30.0, 0.0, 6.0), (0.0, 30.0, 5.0), (30.0, 0.0, 5.0)];
+    let large_between = [(-30.0, 0.0, 5.0), (0.0, 30.0, 6.0), (30.0, 0.0, 5.0)];
+    let crooked = [(-30.0, 0.0, 5.0), (0.0, 30.0, 4.0), (10.0, -20.0, 3.0)];
+    let kinds: [&[(f64, f64, f64)]; 6] =
+        [&opposite, &diagonal, &adjacent, &large_first, &large_between, &crooked];
+    let mut entities = Vec::new();
+    for (row, holes) in (0_u8..).zip(kinds) {
+        for (column, turn) in (0_u8..).zip([0.0, 0.7, 1.9, 4.0]) {
+            let shift = DVec2::new(200.0 * f64::from(column), 200.0 * f64::from(row));
+            let mut part =
+                square_plate(holes, &Similarity { mirror: column % 2 == 1, turn, scale: 1.0, shift });
+            if column > 1 {
+                part.reverse();
+            }
+            entities.extend(part);
+        }
+    }
+    let quote = of(&job(drawn(&entities), json!({}), json!({ "moves": 500 })), &Material::default());
+    assert_eq!(quote.parts.iter().map(|g| g.count).collect::<Vec<_>>(), [4; 6]);
+}
+
+/// Its width was that of its hull, 29 mm, so that no limit found it.
+#[test]
+fn a_bent_slot_is_as_wide_as_the_slot() {
+    let closed = |corners: &[(f64, f64)]| {
+        Entity::Polyline(corners.iter().map(|&(x, y)| (DVec2::new(x, y), 0.0)).collect(), true)
+    };
+    let plate = closed(&[(0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0)]);
+    let slot = closed(&[(20.0, 20.0), (60.0, 20.0), (60.0, 21.0), (21.0, 21.0), (21.0, 60.0), (20.0, 60.0)]);
+    let job = job(drawn(&[plate, slot]), json!({}), json!({ "moves": 500 }));
+    let limits = Limits { smallest_hole: Some(3.0), ..Limits::default() };
+    let quote = job.quote(&Terms { limits, ..Terms::default() }).unwrap();
+    let width = quote.smallest_hole.unwrap().width;
+    assert!((1.0..1.18).contains(&width), "{width}");
+    let exceeded = quote.checks.unwrap().exceeded;
+    assert_eq!(
+        exceeded.iter().map(|e| (e.code, e.measured)).collect::<Vec<_>>(),
+        [(CheckCode::HoleTooSmall, Some(width))]
+    );
+}
