@@ -3,7 +3,7 @@
 //! An entity on layer "0" in a block takes the layer of the insert, and colour BYBLOCK takes that of the insert. A
 //! frozen layer hides an insert with everything in it; a layer that is off hides only its own entities.
 
-use super::entity::{BY_BLOCK, BY_LAYER, Entity, Geometry, Hidden, Insert};
+use super::entity::{BY_BLOCK, BY_LAYER, Entity, Geometry, Insert};
 use super::file::File;
 use super::report::{Note, Notes, Subject};
 use super::{placement, trace};
@@ -83,7 +83,7 @@ impl<'a> Expander<'_, 'a, '_> {
             _ => entity.layer,
         };
         let at = || first_point(&entity.geometry).map(|p| place.to_sheet.transform_point3(p).truncate());
-        if let Some(why) = self.hidden(entity, layer) {
+        if let Some(why) = self.file.hidden(entity, layer) {
             self.notes.count(Subject::Hidden(why), layer, entity.handle, at());
             return Ok(());
         }
@@ -213,17 +213,6 @@ impl<'a> Expander<'_, 'a, '_> {
         }
         self.open.pop();
         Ok(())
-    }
-
-    fn hidden(&self, entity: &Entity<'a>, layer: u32) -> Option<Hidden> {
-        let layer = self.file.layers.get(layer);
-        let is_insert = matches!(entity.geometry, Geometry::Insert(_));
-        match layer {
-            _ if entity.hidden.is_some() => entity.hidden,
-            Some(l) if l.frozen => Some(Hidden::Frozen),
-            Some(l) if l.off && !is_insert => Some(Hidden::Off),
-            _ => None,
-        }
     }
 
     fn damaged(&mut self, entity: &Entity<'a>, layer: u32, at: Option<DVec2>) {

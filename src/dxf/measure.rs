@@ -1,14 +1,18 @@
 //! Measures the number of elements, the nesting and the extent of a drawing before anything is expanded.
 //!
 //! Ten nested blocks that each insert the next one ten times take a kilobyte and expand to 10^10 entities. Every block
-//! is measured once, so the time is proportional to the size of the file, whatever the number of inserts. A file that
-//! exceeds a limit is refused here with a sentence that names the block.
+//! is measured once, or twice if it is also inserted on a layer that is off, so the time is proportional to the size of
+//! the file, whatever the number of inserts. A file that exceeds a limit is refused here with a sentence that names the
+//! block.
 
-use super::entity::{Edge, Entity, Geometry, Hidden, Loop};
+use super::entity::{Edge, Entity, Geometry, Loop};
 use super::file::File;
 use super::{ocs, placement};
 use crate::drawing::{Limits, ReadError};
 use glam::{DAffine3, DVec2, DVec3};
+
+/// Index of layer "0", on which entities of a block take the layer of the insert.
+const LAYER_ZERO: u32 = 0;
 
 /// A box in space. It is empty when `min` exceeds `max`.
 #[derive(Clone, Copy, Debug)]
@@ -62,8 +66,8 @@ enum State {
 /// # Errors
 /// The file has more elements or deeper nesting than `limits` allow.
 pub(super) fn size(file: &File<'_>, limits: &Limits) -> Result<DVec2, ReadError> {
-    let mut measurer = Measurer { file, limits, states: vec![State::New; file.blocks.len()] };
-    let model = measurer.entities(&file.model, 0)?;
+    let mut measurer = Measurer { file, limits, states: vec![[State::New; 2]; file.blocks.len()] };
+    let model = measurer.entities(&file.model, 0, LAYER_ZERO)?;
     measurer.check(model.elements, None)?;
     let size = model.extent.max - model.extent.min;
     Ok(if size.x >= 0.0 { size.truncate() } else { DVec2::ZERO })
@@ -72,21 +76,24 @@ pub(super) fn size(file: &File<'_>, limits: &Limits) -> Result<DVec2, ReadError>
 struct Measurer<'f, 'a> {
     file: &'f File<'a>,
     limits: &'f Limits,
-    states: Vec<State>,
+    /// Of every block, inserted on a layer that is on and on one that is off.
+    states: Vec<[State; 2]>,
 }
 
 impl Measurer<'_, '_> {
-    fn entities(&mut self, entities: &[Entity<'_>], depth: usize) -> Result<Measure, ReadError> {
+    /// Measures the entities of a block that is inserted on `layer`.
+    fn entities(&mut self, entities: &[Entity<'_>], depth: usize, layer: u32) -> Result<Measure, ReadError> {
         let mut total = Measure { elements: 0, height: 0, extent: Extent::EMPTY };
         for entity in entities {
-            let seen = !self.is_hidden(entity);
+            let layer = if entity.layer == LAYER_ZERO { layer } else { entity.layer };
             match &entity.geometry {
-                Geometry::Insert(insert)
-                    if !matches!(entity.hidden, Some(Hidden::Paper | Hidden::Invisible)) =>
-                {
+                _ if self.file.hidden(entity, layer).is_some() => {
+                    total.elements = total.elements.saturating_add(1);
+                }
+                Geometry::Insert(insert) => {
                     total.elements = total.elements.saturating_add(1);
                     let Some(block) = insert.block else { continue };
-                    let Some(inner) = self.block(block, depth + 1)? else { continue };
+                    let Some(inner) = self.block(block, depth + 1, layer)? else { continue };
                     let [columns, rows] = insert.counts;
                     let cells = u64::from(columns) * u64::from(rows);
                     let elements = inner.elements.saturating_mul(cells);
@@ -94,28 +101,25 @@ impl Measurer<'_, '_> {
                     total.elements = total.elements.saturating_add(elements);
                     total.height = total.height.max(inner.height + 1);
                     let base = self.file.blocks.get(block).map_or(DVec3::ZERO, |b| b.base);
-                    if seen {
-                        for (column, row) in placement::corner_cells(insert) {
-                            let map = placement::cell(insert, base, column, row);
-                            inner.extent.corners().for_each(|p| total.extent.add(map.transform_point3(p)));
-                        }
+                    for (column, row) in placement::corner_cells(insert) {
+                        let map = placement::cell(insert, base, column, row);
+                        inner.extent.corners().for_each(|p| total.extent.add(map.transform_point3(p)));
                     }
                 }
                 geometry => {
                     total.elements = total.elements.saturating_add(elements(geometry));
-                    if seen {
-                        each_point(geometry, |p| total.extent.add(p));
-                    }
+                    each_point(geometry, |p| total.extent.add(p));
                 }
             }
         }
         Ok(total)
     }
 
-    /// Measures a block; `None` when it contains itself.
-    fn block(&mut self, index: usize, depth: usize) -> Result<Option<Measure>, ReadError> {
+    /// Measures a block that is inserted on `layer`; `None` when it contains itself.
+    fn block(&mut self, index: usize, depth: usize, layer: u32) -> Result<Option<Measure>, ReadError> {
         let Some(block) = self.file.blocks.get(index) else { return Ok(None) };
-        let state = self.states.get(index).copied().unwrap_or(State::InProgress);
+        let off = usize::from(self.file.layers.get(layer).is_some_and(|l| l.off));
+        let state = self.states[index][off];
         let height = if let State::Done(m) = state { m.height } else { 0 };
         if depth + height > self.limits.depth {
             return Err(ReadError::Limit(format!(
@@ -128,9 +132,9 @@ impl Measurer<'_, '_> {
             State::Done(measure) => Ok(Some(measure)),
             State::InProgress => Ok(None),
             State::New => {
-                self.states[index] = State::InProgress;
-                let measure = self.entities(&block.entities, depth)?;
-                self.states[index] = State::Done(measure);
+                self.states[index][off] = State::InProgress;
+                let measure = self.entities(&block.entities, depth, layer)?;
+                self.states[index][off] = State::Done(measure);
                 Ok(Some(measure))
             }
         }
@@ -152,11 +156,6 @@ impl Measurer<'_, '_> {
         Err(ReadError::Limit(format!(
             "{what} {elements} elements with all blocks expanded; up to {limit} can be read. Cut fewer copies at once, or delete what is not to be cut."
         )))
-    }
-
-    fn is_hidden(&self, entity: &Entity<'_>) -> bool {
-        let layer = self.file.layers.get(entity.layer);
-        entity.hidden.is_some() || layer.is_some_and(|l| l.frozen || l.off)
     }
 }
 

@@ -14,7 +14,7 @@ pub(super) struct Note<'a> {
     pub(super) code: Code,
     /// Severity.
     pub(super) severity: Severity,
-    /// Sentence for people, in which `{}` is replaced by `name`.
+    /// Sentence for people, in which `{}` is replaced by `name`, or by `?` if that is empty.
     pub(super) message: String,
     /// Name used in the message, as written in the file.
     pub(super) name: &'a [u8],
@@ -118,12 +118,10 @@ impl<'a> Notes<'a> {
             self.seen.rests().map(|(code, rest)| Note { count: rest, ..Note::new(code, Severity::Info, "") });
         let tallies = self.tallies.into_iter().map(|((subject, layer), tally)| tally.note(subject, layer));
         for note in self.list.into_iter().chain(overflow).chain(tallies) {
-            let message = match note.message.split_once('{') {
-                Some((before, after)) if !note.name.is_empty() => {
-                    let after = after.strip_prefix('}').unwrap_or(after);
-                    format!("{before}{}{after}", decoder.text(note.name))
-                }
-                _ => note.message,
+            let name = if note.name.is_empty() { b"?" } else { note.name };
+            let message = match note.message.split_once("{}") {
+                Some((before, after)) => format!("{before}{}{after}", decoder.text(name)),
+                None => note.message,
             };
             let layer = note.layer.and_then(|i| layers.get(i as usize)).map(|l| l.name.clone());
             let handle = note.handle.map(|h| decoder.text(h).into_owned());

@@ -272,3 +272,44 @@ fn entities_of_inactive_layouts_are_counted_as_hidden() {
     assert_eq!((hidden.count, drawing.shapes.len()), (1, 1));
     assert!(hidden.message.contains("paper layout"), "{}", hidden.message);
 }
+
+/// Layers of which ICE is frozen and DARK is off, a block with a circle on layer A, and these entities.
+fn on_hidden_layers(entities: &str) -> String {
+    lines(&format!(
+        "0 SECTION 2 HEADER 9 $INSUNITS 70 4 0 ENDSEC \
+         0 SECTION 2 TABLES 0 TABLE 2 LAYER 0 LAYER 2 ICE 70 1 62 7 0 LAYER 2 DARK 70 0 62 -3 0 ENDTAB 0 ENDSEC \
+         0 SECTION 2 BLOCKS 0 BLOCK 2 B 10 0 20 0 0 CIRCLE 8 A 10 0 20 0 40 50 0 LINE 8 0 10 0 20 0 11 900000 21 0 0 ENDBLK \
+         0 BLOCK 2 C 10 0 20 0 0 INSERT 8 0 2 B 10 0 20 0 0 ENDBLK 0 ENDSEC \
+         0 SECTION 2 ENTITIES {entities} 0 ENDSEC 0 EOF"
+    ))
+}
+
+/// The drawing was said to be 0 mm large. The line on layer 0 is hidden with the insert and does not count.
+#[test]
+fn an_insert_on_a_layer_that_is_off_counts_for_the_size_as_far_as_it_is_drawn() {
+    for block in ["B", "C"] {
+        let insert = format!("0 INSERT 8 DARK 2 {block} 10 100 20 100");
+        let drawing = read(&on_hidden_layers(&insert)).unwrap();
+        assert_eq!(crate::testkit::drawings::shapes(&drawing).len(), 1);
+        assert!(!drawing.units.doubtful, "{}", drawing.units.reason);
+    }
+}
+
+/// Inserts that are never expanded counted as if they were.
+#[test]
+fn an_insert_on_a_frozen_layer_does_not_count_for_the_limit() {
+    let frozen = "0 INSERT 8 ICE 2 B 10 0 20 0 70 30000 71 30000 0 CIRCLE 8 A 10 0 20 0 40 50";
+    assert_eq!(read(&on_hidden_layers(frozen)).unwrap().shapes.len(), 1);
+    let off = frozen.replace("ICE", "DARK");
+    assert!(matches!(read(&on_hidden_layers(&off)), Err(ReadError::Limit(_))));
+}
+
+/// The message held two braces for the name.
+#[test]
+fn a_block_without_a_name_is_reported_without_braces() {
+    // `lines` drops empty values.
+    let text = file("", "0 LINE 8 0 10 0 20 0 11 100 21 0 0 INSERT 8 A 2 NAME 10 0 20 0").replace("NAME", "");
+    let drawing = read(&text).unwrap();
+    let missing = found(&drawing, Code::MissingBlock);
+    assert!(missing.message.starts_with("The block \"?\" is inserted (1)"), "{}", missing.message);
+}

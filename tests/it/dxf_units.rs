@@ -93,3 +93,27 @@ fn units_given_by_the_person_win() {
     close(length(&drawing), 50.0 * 25.4);
     assert_eq!((drawing.units.source, drawing.units.doubtful), (UnitsSource::Given, false));
 }
+
+/// The circles and texts of a title block on a paper layout made inches of a drawing in millimetres.
+#[test]
+fn what_is_on_paper_says_nothing_about_the_unit() {
+    let circle = |x: f64, d: f64, paper: &str| format!("0 CIRCLE 8 0 {paper} 10 {x} 20 0 40 {} ", d / 2.0);
+    let title_block = |paper: &str| {
+        let holes: String = (1..9).map(|k| circle(f64::from(3 * k), f64::from(k) / 8.0, paper)).collect();
+        holes + &format!("0 TEXT 8 INCH {paper} 10 0 20 0 40 0.125 1 A ").repeat(9)
+    };
+    let units = |layout: &str, more: &str| {
+        let holes: String = [(0.0, 3.17), (7.3, 5.31), (14.6, 7.77)].map(|(x, d)| circle(x, d, "")).concat();
+        let text = format!(
+            "0 SECTION 2 BLOCKS {layout} 0 ENDSEC 0 SECTION 2 ENTITIES {holes} {more} 0 ENDSEC 0 EOF"
+        );
+        read(&lines(&text)).unwrap().units
+    };
+    let alone = units("", "");
+    assert_eq!(alone.unit, Unit::Mm, "{}", alone.reason);
+    let layout = format!("0 BLOCK 2 *Paper_Space 10 0 20 0 {} 0 ENDBLK", title_block(""));
+    assert_eq!(units(&layout, ""), alone);
+    assert_eq!(units("", &title_block("67 1")), alone);
+    // In the model, the same is evidence.
+    assert_ne!(units("", &title_block("")), alone);
+}

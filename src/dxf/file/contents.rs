@@ -2,7 +2,7 @@
 
 use super::clips::Clips;
 use crate::dxf::entities::{self, Soundness};
-use crate::dxf::entity::{Entity, Geometry};
+use crate::dxf::entity::{Entity, Geometry, Hidden};
 use crate::dxf::header::Header;
 use crate::dxf::layers::Layers;
 use crate::dxf::record::Record;
@@ -39,7 +39,7 @@ pub(in crate::dxf) struct File<'a> {
     pub(in crate::dxf) model: Vec<Entity<'a>>,
     /// Names of kinds without an outline, see [`Geometry::Other`].
     pub(in crate::dxf) other_names: Vec<&'a [u8]>,
-    /// Heights of texts, as far as they are kept.
+    /// Heights of texts that are not on paper, as far as they are kept.
     pub(in crate::dxf) text_heights: Vec<f64>,
     /// Handles of the inserts that show only a part of their block.
     pub(in crate::dxf) clipped: FxHashSet<&'a [u8]>,
@@ -78,6 +78,17 @@ impl<'a> File<'a> {
             );
             let note = Note::new(Code::UnsupportedEntity, Severity::Warning, message);
             self.notes.push(Note { count: unknown, ..note });
+        }
+    }
+
+    /// Why an entity with this effective layer is not visible. An insert on a layer that is off shows its block.
+    pub(in crate::dxf) fn hidden(&self, entity: &Entity<'_>, layer: u32) -> Option<Hidden> {
+        let is_insert = matches!(entity.geometry, Geometry::Insert(_));
+        match self.layers.get(layer) {
+            _ if entity.hidden.is_some() => entity.hidden,
+            Some(l) if l.frozen => Some(Hidden::Frozen),
+            Some(l) if l.off && !is_insert => Some(Hidden::Off),
+            _ => None,
         }
     }
 

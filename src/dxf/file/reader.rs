@@ -192,7 +192,9 @@ impl<'a> Reader<'a> {
         if record.name.is_empty() {
             return Some(Geometry::Invalid("its kind is lost", record.point(10)));
         }
-        if matches!(record.name, b"TEXT" | b"MTEXT") && file.text_heights.len() < TEXTS {
+        let block = self.block.and_then(|i| file.blocks.get(i));
+        let on_paper = record.paper || block.is_some_and(|b| is_layout(b.name));
+        if !on_paper && matches!(record.name, b"TEXT" | b"MTEXT") && file.text_heights.len() < TEXTS {
             file.text_heights.extend(record.real(40));
         }
         // Texts are written in the plane of their extrusion direction, other kinds in world coordinates.
@@ -224,7 +226,7 @@ impl<'a> Reader<'a> {
             Some(b) if b.name.eq_ignore_ascii_case(b"*MODEL_SPACE") => file.model.push(entity),
             // The blocks of layouts are never inserted. That of the active one is empty in most files, because its
             // entities are among those of the model (67 = 1). A view of the model is nothing that anybody misses.
-            Some(b) if b.name.get(..LAYOUT.len()).is_some_and(|n| n.eq_ignore_ascii_case(LAYOUT)) => {
+            Some(b) if is_layout(b.name) => {
                 if !is_viewport {
                     entity.hidden = Some(Hidden::Paper);
                     file.model.push(entity);
@@ -282,6 +284,11 @@ impl<'a> Reader<'a> {
 /// Whether this record may follow a polyline whose end is not written.
 fn is_expected(name: &[u8]) -> bool {
     matches!(name, b"BLOCK" | b"ENDBLK") || entities::kind(name).is_some() || entities::is_known(name)
+}
+
+/// Whether a block of this name is that of a paper layout.
+fn is_layout(name: &[u8]) -> bool {
+    name.get(..LAYOUT.len()).is_some_and(|n| n.eq_ignore_ascii_case(LAYOUT))
 }
 
 /// The section named by `tag`.

@@ -1,6 +1,6 @@
 //! What a drawing shows about its unit, in drawing units.
 
-use crate::dxf::entity::{Entity, Geometry};
+use crate::dxf::entity::{Entity, Geometry, Hidden};
 use crate::dxf::file::File;
 
 /// Most values of a kind that are looked at. Thousands say no more than hundreds.
@@ -8,7 +8,7 @@ const MOST: usize = 2_000;
 /// Values that differ by less than this fraction are the same, drawn with other digits.
 const SAME: f64 = 1e-5;
 
-/// Facts about a drawing.
+/// Facts about a drawing, without its paper layouts.
 #[derive(Debug, Default)]
 pub(super) struct Facts {
     /// The larger extent; 0 when unknown.
@@ -28,7 +28,8 @@ impl Facts {
     pub(super) fn of(file: &File<'_>, extent: f64) -> Self {
         let mut facts = Self { extent, text_heights: file.text_heights.clone(), ..Self::default() };
         let mut used = vec![false; file.layers.list().len()];
-        for entity in file.model.iter().chain(file.blocks.iter().flat_map(|b| &b.entities)) {
+        let entities = file.model.iter().chain(file.blocks.iter().flat_map(|b| &b.entities));
+        for entity in entities.filter(|e| e.hidden != Some(Hidden::Paper)) {
             facts.take(entity);
             if let Some(used) = used.get_mut(entity.layer as usize) {
                 *used = true;
