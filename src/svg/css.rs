@@ -131,17 +131,20 @@ impl Rule<'_> {
             return false;
         }
         let parent = |e: u32| document.get(e).and_then(|e| e.parent);
-        let mut at = parent(element);
-        for wanted in ancestors.iter().rev() {
-            loop {
-                let Some(here) = at else { return false };
-                at = parent(here);
-                if wanted.matches(document, here, steps) {
-                    break;
+        let (mut left, mut at) = (ancestors, parent(element));
+        // Where to go on if a parent does not match: above the nearest match of the last compound for any ancestor.
+        let mut again = None;
+        while let Some((wanted, outer)) = left.split_last() {
+            let Some(here) = at else { return false };
+            at = parent(here);
+            if wanted.matches(document, here, steps) {
+                if !wanted.is_parent {
+                    again = Some((left, at));
                 }
-                if wanted.is_parent {
-                    return false;
-                }
+                left = outer;
+            } else if wanted.is_parent {
+                let Some(before) = again else { return false };
+                (left, at) = before;
             }
         }
         true

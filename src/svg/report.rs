@@ -92,6 +92,11 @@ impl Report {
         tally.count = tally.count.saturating_add(1);
     }
 
+    /// Whether a subject without a layer was counted, so that it has its place.
+    pub(super) fn has(&self, subject: Subject) -> bool {
+        self.tallies.contains_key(&(subject, None))
+    }
+
     /// Counts many at once.
     pub(super) fn count_all(&mut self, subject: Subject, n: u32) {
         if n > 0 {

@@ -186,9 +186,7 @@ impl Guess {
                 sure(CSS_DPI, "Inkscape makes them so")
             };
         }
-        let is_by =
-            |program: &[u8]| document.preamble.as_bytes().windows(program.len()).any(|w| w == program);
-        if is_by(b"Adobe Illustrator") {
+        if document.is_by_illustrator() {
             return sure(72.0, "Illustrator makes them so");
         }
         let because =

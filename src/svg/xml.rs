@@ -121,6 +121,11 @@ impl<'a> Document<'a> {
             .take_while(move |&e| e < end)
     }
 
+    /// Whether Illustrator wrote the file.
+    pub(super) fn is_by_illustrator(&self) -> bool {
+        self.preamble.contains("Adobe Illustrator")
+    }
+
     /// The version of SVG that the root names (`SVG 1.1`).
     pub(super) fn version(&self) -> Option<String> {
         self.attribute(0, "version").filter(|v| !v.is_empty() && v.len() < 20).map(|v| format!("SVG {v}"))

@@ -86,6 +86,7 @@ mod solve_partial;
 mod solve_search;
 mod stop_bound;
 mod svg_files;
+mod svg_losses;
 mod svg_oracle;
 mod tips;
 mod units_evidence;

@@ -17,13 +17,13 @@ fn refused(text: &str) -> String {
 }
 
 /// A page of 100 by 50 mm whose user unit is a millimetre.
-fn page(body: &str) -> Drawing {
+pub(crate) fn page(body: &str) -> Drawing {
     read(&format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"50mm\" viewBox=\"0 0 100 50\">{body}</svg>"
     ))
 }
 
-fn layers(drawing: &Drawing) -> Vec<&str> {
+pub(crate) fn layers(drawing: &Drawing) -> Vec<&str> {
     drawing.layers.iter().map(|l| l.name.as_str()).collect()
 }
 

@@ -48,6 +48,7 @@ pub(super) fn walk(
         sheet: &sheet,
         options,
         dpi: scale.dpi,
+        by_illustrator: document.is_by_illustrator(),
         open: Vec::new(),
         copies: Vec::new(),
         visited: 0,
@@ -112,6 +113,7 @@ struct Walker<'w, 'a> {
     sheet: &'w StyleSheet<'w>,
     options: &'w ReadOptions,
     dpi: f64,
+    by_illustrator: bool,
     open: Vec<Frame>,
     copies: Vec<Copy>,
     visited: usize,
@@ -159,11 +161,12 @@ impl<'w, 'a> Walker<'w, 'a> {
             match transform::read(text) {
                 Some(transform) => {
                     let at = match &own.origin {
-                        Some(_) if own.own_box => None,
+                        _ if own.own_box => None,
                         Some(origin) => transform::origin(origin, &lengths),
                         None => Some(DVec2::ZERO),
                     };
-                    if at.is_none() && transform != Affine::IDENTITY {
+                    // A move is the same about every point.
+                    if at.is_none() && (transform.x, transform.y) != (DVec2::X, DVec2::Y) {
                         let at = place.map.point(DVec2::ZERO);
                         self.walked.report.count(Subject::Origin, None, self.id(element), Some(at));
                     }
@@ -201,7 +204,7 @@ impl<'w, 'a> Walker<'w, 'a> {
         }
         match name {
             "g" | "a" => {
-                if let Some(label) = roles::layer_label(self.document, element) {
+                if let Some(label) = roles::layer_label(self.document, element, self.by_illustrator) {
                     inside.group = u32::try_from(self.walked.groups.len()).ok();
                     self.walked.groups.push(label);
                 }
@@ -226,6 +229,9 @@ impl<'w, 'a> Walker<'w, 'a> {
                 if let Some(child) = chosen {
                     let end = self.document.get(child).map_or(0, |e| e.end);
                     self.open.push(Frame { next: child, end, place: inside, instance: None });
+                } else {
+                    inside.hidden = inside.hidden.or(Some(Hidden::Gone));
+                    self.open_children(element, inside);
                 }
             }
             "use" => {

@@ -3,7 +3,7 @@
 use super::super::xml::{Document, Space};
 
 /// The label of a group that is a layer.
-pub(super) fn layer_label(document: &Document<'_>, element: u32) -> Option<String> {
+pub(super) fn layer_label(document: &Document<'_>, element: u32, by_illustrator: bool) -> Option<String> {
     let id = || document.attribute(element, "id");
     let label = || document.attribute_in(element, Space::Inkscape, "label");
     if document.attribute_in(element, Space::Inkscape, "groupmode") == Some("layer") {
@@ -11,7 +11,6 @@ pub(super) fn layer_label(document: &Document<'_>, element: u32) -> Option<Strin
     }
     // Illustrator writes its layers as groups of the page, with their names as ids.
     let is_top = document.get(element).is_some_and(|e| e.parent == Some(0));
-    let by_illustrator = document.preamble.as_bytes().windows(17).any(|w| w == b"Adobe Illustrator");
     let name = document.attribute(element, "data-name").or(id());
     name.filter(|_| is_top && by_illustrator).map(|n| n.replace("_x20_", " "))
 }

@@ -103,6 +103,10 @@ impl Walker<'_, '_> {
 
     /// Reports an element that is drawn and cannot be cut.
     pub(super) fn unsupported(&mut self, element: u32, name: &str, place: &Place) {
+        // Elements of other languages (metadata, settings of programs) are never drawn.
+        if name.is_empty() {
+            return;
+        }
         let first = |e: u32, name: &str| {
             let lengths = self.lengths(place);
             let word = self.document.attribute(e, name)?.split([' ', ',']).next()?;
@@ -113,20 +117,15 @@ impl Walker<'_, '_> {
                 .or_else(|| self.document.children(element).find_map(|c| first(c, name)))
                 .unwrap_or(0.0)
         };
-        let at = place.map.point(DVec2::new(nearest("x"), nearest("y")));
         let hidden = place.hidden.or((!place.style.visible).then_some(Hidden::Invisible));
         let subject = match hidden {
             Some(why) => Subject::Hidden(why),
-            None => Subject::Unsupported(if name.is_empty() {
-                "element of another language".to_owned()
-            } else {
-                name.chars().take(40).collect()
-            }),
+            None => Subject::Unsupported(name.chars().take(40).collect()),
         };
-        // Elements of other languages (metadata, settings of programs) are never drawn.
-        if !name.is_empty() {
-            self.walked.report.count(subject, None, self.id(element), Some(at));
-        }
+        // Only the first place is kept, and to look for that of every copy may take minutes.
+        let at = (!self.walked.report.has(subject.clone()))
+            .then(|| place.map.point(DVec2::new(nearest("x"), nearest("y"))));
+        self.walked.report.count(subject, None, self.id(element), at);
     }
 }
 
