@@ -5,11 +5,11 @@
 //! CUT_FRAME is cut.
 
 use super::model::Operation;
-use crate::letters::lower;
+use crate::letters::{lower, same_letters};
 
 /// Words for cutting in the common languages of drawings.
 const CUT: &[&str] =
-    &["CUT", "CUTS", "CUTTING", "LASERCUT", "SCHNITT", "SCHNEIDEN", "DECOUPE", "TAGLIO", "CORTE"];
+    &["CUT", "CUTS", "CUTTING", "LASERCUT", "SCHNITT", "SCHNEIDEN", "DECOUPE", "DÉCOUPE", "TAGLIO", "CORTE"];
 /// Words for marking or engraving.
 const MARK: &[&str] = &[
     "MARK",
@@ -53,6 +53,7 @@ const IGNORE: &[&str] = &[
     "DIM",
     "DIMS",
     "DIMENSION",
+    "DIMENSIÓN",
     "DIMENSIONS",
     "BEMASSUNG",
     "BEMAßUNG",
@@ -82,6 +83,7 @@ const IGNORE: &[&str] = &[
     "GUIDE",
     "GUIDES",
     "REFERENCE",
+    "RÉFÉRENCE",
     "BEND",
     "BENDS",
     "BENDLINE",
@@ -133,13 +135,12 @@ pub(super) fn names_parts(name: &str) -> bool {
 }
 
 fn has_word(name: &str, list: &[&str]) -> bool {
-    words(name).iter().any(|w| list.iter().any(|l| l.eq_ignore_ascii_case(w)))
+    words(name).iter().any(|w| list.iter().any(|l| same_letters(l, w)))
 }
 
 /// The operation that a layer's name suggests; `None` if it suggests nothing.
 pub(super) fn suggestion(name: &str) -> Option<Operation> {
-    let words = words(name);
-    let any = |list: &[&str]| words.iter().any(|w| list.iter().any(|l| l.eq_ignore_ascii_case(w)));
+    let any = |list: &[&str]| has_word(name, list);
     if any(CUT) {
         None
     } else if any(IGNORE) {

@@ -198,3 +198,19 @@ fn something_outside_the_border_means_it_is_none() {
     d.shapes.push(drawing([("0", circle(500.0, 0.0, 5.0))]).shapes.remove(0));
     assert_eq!(arranged(&d).outline, None);
 }
+
+/// Only the spellings without accents were known.
+#[test]
+fn accented_names_of_layers_suggest_what_the_plain_ones_do() {
+    for (name, suggestion) in [
+        ("CADRE DÉCOUPE FRAME", None),
+        ("découpe-frame", None),
+        ("RÉFÉRENCE", Some(Operation::Ignore)),
+        ("Dimensión", Some(Operation::Ignore)),
+        ("ÉTIQUETTE", None),
+    ] {
+        let s =
+            with(&drawing([("A", rect(0.0, 0.0, 9.0, 9.0)), (name, line(1.0, 1.0, 8.0, 1.0))]), &[], false);
+        assert_eq!(s.layers[1].suggestion, suggestion, "{name}");
+    }
+}
