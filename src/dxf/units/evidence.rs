@@ -108,9 +108,9 @@ impl Weighed {
                 format!("holes of {} are drill sizes in inches", sizes(&imperial))
             }
             true if tiny > 0 => "its holes would be too small in millimetres".to_owned(),
-            true => "its holes are round in millimetres only if it is in inches".to_owned(),
+            true => "its holes are usual in millimetres when it is read in inches".to_owned(),
             false if !metric.is_empty() => format!("holes of {} are usual in millimetres", sizes(&metric)),
-            false => "its holes are drill sizes in inches only if it is in millimetres".to_owned(),
+            false => "its holes are inch drill sizes when it is read in millimetres".to_owned(),
         };
         self.add(weight, reason);
     }
