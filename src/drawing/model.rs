@@ -10,7 +10,7 @@ use serde::Serialize;
 pub struct Layer {
     /// Decoded name.
     pub name: String,
-    /// AutoCAD colour index (absolute value).
+    /// AutoCAD colour index (absolute value); for SVG the nearest one.
     pub color: i16,
     /// Whether the layer is neither frozen nor off.
     pub visible: bool,
@@ -23,11 +23,11 @@ pub struct Shape {
     pub path: Path,
     /// Index into [`Drawing::layers`].
     pub layer: u32,
-    /// AutoCAD colour index after resolving BYLAYER and BYBLOCK.
+    /// AutoCAD colour index after resolving BYLAYER and BYBLOCK; for SVG the nearest one.
     pub color: i16,
     /// Handle as written in the file, used in reports only.
     pub handle: Option<String>,
-    /// DXF name of the entity (`LINE`, `LWPOLYLINE`, ...).
+    /// Name of the entity in its format (`LINE`, `LWPOLYLINE`, ... in DXF; `path`, `rect`, ... in SVG).
     pub kind: &'static str,
     /// Whether the entity was read across a break in the file. Such shapes are present only when asked for.
     pub damaged: bool,
@@ -37,9 +37,9 @@ pub struct Shape {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct EntityKindCount {
-    /// Name of the kind in DXF.
+    /// Name of the kind in the format of the file.
     pub kind: String,
-    /// Number in model space, as written (an INSERT counts once).
+    /// Number in model space, as written (an INSERT or `use` counts once).
     pub count: u32,
     /// Whether entities of this kind become geometry.
     pub supported: bool,
@@ -48,13 +48,13 @@ pub struct EntityKindCount {
 /// A drawing in millimetres.
 #[derive(Clone, Debug)]
 pub struct Drawing {
-    /// Value of $ACADVER, if present (`AC1015`).
+    /// Version that the file names: the value of $ACADVER (`AC1015`), or that of SVG (`SVG 1.1`).
     pub version: Option<String>,
     /// Unit of the drawing.
     pub units: Units,
     /// Layers in the order of the file, followed by those that are used but missing in the layer table.
     pub layers: Vec<Layer>,
-    /// Geometry of model space on visible layers.
+    /// Geometry that is visible, of a DXF file that of model space.
     pub shapes: Vec<Shape>,
     /// Entities by kind, most frequent first.
     pub entities: Vec<EntityKindCount>,

@@ -95,9 +95,9 @@ impl Unit {
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub enum UnitsSource {
-    /// The header variable $INSUNITS.
+    /// The file says it: in the header variable $INSUNITS, or as the size of its SVG page.
     Header,
-    /// Guessed from the size and $MEASUREMENT; see `reason`.
+    /// Guessed from the drawing, or from the program that wrote it; see `reason`.
     Guessed,
     /// Chosen by the person.
     Given,

@@ -26,7 +26,7 @@ pub(super) fn shape(
     f
 }
 
-/// A finding for each contour that is cut and does not close, except those of a group, about which the group's finding tells.
+/// A finding for each contour that is cut and does not close, except those of a group, which the group's finding reports.
 pub(super) fn open_contours(
     drawing: &Drawing,
     contours: &[Contour],

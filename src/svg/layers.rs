@@ -1,7 +1,8 @@
 //! Names the layers: by the layers of Inkscape and Illustrator, and by colours, as users of LightBurn and Glowforge know it.
 //!
-//! A drawing with several layers keeps their names; one whose shapes have several colours is divided by colour as well.
-//! A drawing without layers, or with one, is divided by colour only, because Inkscape makes one layer for every drawing.
+//! A layer of which all shapes have the same colour keeps its name. Where a drawing has several layers, one with more
+//! colours is divided, and its name comes before the colour. A drawing without layers, or with one of several colours, is
+//! divided by colour only, because Inkscape makes one layer for every drawing.
 
 use super::color::Rgb;
 use super::style::Paint;

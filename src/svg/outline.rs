@@ -63,8 +63,6 @@ pub(super) fn arc(
     let angle = match sweep {
         true if turn < 0.0 => turn + TAU,
         false if turn > 0.0 => turn - TAU,
-        // Half a turn, whose sign is only rounding.
-        _ if (turn < 0.0) == sweep => -turn,
         _ => turn,
     };
     let place = |v: DVec2| math::rotate(v * radii, rotation);

@@ -197,8 +197,8 @@ impl<'t, 'a> TagCursor<'t, 'a> {
         tag.int()
     }
 
-    /// The next tag of a boundary; `None` at its end, which is the list of its source objects (97), the next boundary,
-    /// or the filling. A spline edge contains a 97 of its own, followed by fit points or the next edge.
+    /// The next tag of a boundary; `None` where the next boundary or the filling starts. The list of its source objects
+    /// (97, 330) does not end it, since a spline edge has a 97 of its own; the readers of boundaries pass over both.
     fn next_in_path(&mut self) -> Option<&'t Tag<'a>> {
         let tag = self.tags.get(self.at)?;
         if matches!(tag.code, 92 | 75 | 76) {

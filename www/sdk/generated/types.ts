@@ -34,9 +34,9 @@ export interface UnitsTaken {
 
 /** Number of entities of one kind. */
 export interface EntityKindCount {
-  /** Name of the kind in DXF. */
+  /** Name of the kind in the format of the file. */
   kind: string,
-  /** Number in model space, as written (an INSERT counts once). */
+  /** Number in model space, as written (an INSERT or `use` counts once). */
   count: number,
   /** Whether entities of this kind become geometry. */
   supported: boolean,
