@@ -123,7 +123,7 @@ impl<'a> Document<'a> {
 
     /// Whether Illustrator wrote the file.
     pub(super) fn is_by_illustrator(&self) -> bool {
-        self.preamble.contains("Adobe Illustrator")
+        self.preamble.as_bytes().windows(17).any(|w| w == b"Adobe Illustrator")
     }
 
     /// The version of SVG that the root names (`SVG 1.1`).

@@ -18,7 +18,7 @@ struct Stretch {
     /// Whether its owner is open already: it should be, as a closed contour has leads and joints.
     of_open: bool,
     length: f64,
-    /// The contour that has it, its piece, the element of that, and the fractions of the element.
+    /// The line that has it, its piece, the element of that, and the fractions of the element.
     owner: usize,
     piece: usize,
     element: usize,
@@ -29,85 +29,92 @@ struct Stretch {
 pub(super) fn give_back(pieces: &mut [Pieces], lines: &[Line], tolerance: f64) {
     let index = BoxIndex::new(lines.iter().map(|l| l.path.bounds()));
     for line in lines {
-        if pieces.get(line.index as usize).is_none_or(|own| !own.is_empty()) {
+        if !pieces[line.index as usize].is_empty() {
             continue;
         }
-        let mut best: Option<Stretch> = None;
-        for other in index.query(line.path.bounds().grown(tolerance)) {
-            let Some(owner) = lines.get(other).map(|l| l.index as usize) else { continue };
-            for found in
-                pieces.get(owner).into_iter().flat_map(|of| stretches(owner, of, line.path, tolerance))
-            {
-                if best
-                    .as_ref()
-                    .is_none_or(|b| (found.of_open, found.length) > (b.of_open, b.length + tolerance))
-                {
-                    best = Some(found);
-                }
-            }
-        }
-        let whole = best.as_ref().and_then(|b| lines.iter().find(|l| l.index as usize == b.owner));
-        if let (Some(best), Some(whole)) = (best, whole) {
-            let given = taken(&mut pieces[best.owner], &best, whole.path, tolerance);
-            pieces[line.index as usize] = vec![(Path::new(vec![given], false), Some(line.path.clone()))];
+        let near = index.query(line.path.bounds().grown(tolerance));
+        if let Some(best) = longest(pieces, lines, &near, line.path, tolerance) {
+            let owner = &lines[best.owner];
+            let given = take(&mut pieces[owner.index as usize], &best, owner.path, tolerance);
+            pieces[line.index as usize].push((Path::new(vec![given], false), Some(line.path.clone())));
         }
     }
 }
 
-/// The stretches of an owner's pieces that lie on a line and leave something to the owner.
-fn stretches(owner: usize, pieces: &Pieces, line: &Path, tolerance: f64) -> Vec<Stretch> {
-    let whole: f64 = pieces.iter().map(|p| p.0.length()).sum();
-    let mut found = Vec::new();
-    for (piece, (path, _)) in pieces.iter().enumerate() {
-        for (element, segment) in path.segments.iter().enumerate() {
-            for on in line.segments.iter().filter(|s| s.bounds().grown(tolerance).overlaps(&segment.bounds()))
-            {
-                let Some([from, mut to]) = common(segment, on, tolerance) else { continue };
-                if (to - from) * segment.length() > whole - MEETING * tolerance {
-                    to = 0.5 * (from + to);
-                }
-                let length = (to - from) * segment.length();
-                if length > MEETING * tolerance {
-                    let of_open = !path.closed;
-                    found.push(Stretch { of_open, length, owner, piece, element, part: [from, to] });
+/// The longest stretch of the pieces of some other lines that lies on a line and leaves something to its owner, of open contours
+/// first.
+fn longest(
+    pieces: &[Pieces],
+    lines: &[Line],
+    others: &[usize],
+    line: &Path,
+    tolerance: f64,
+) -> Option<Stretch> {
+    let mut best: Option<Stretch> = None;
+    for &owner in others {
+        let own = &pieces[lines[owner].index as usize];
+        let whole: f64 = own.iter().map(|p| p.0.length()).sum();
+        for (piece, (path, _)) in own.iter().enumerate() {
+            for (element, segment) in path.segments.iter().enumerate() {
+                let (of_open, bounds) = (!path.closed, segment.bounds().grown(tolerance));
+                for on in line.segments.iter().filter(|s| s.bounds().overlaps(&bounds)) {
+                    let [from, mut to] = common(segment, on, tolerance);
+                    if (to - from) * segment.length() > whole - MEETING * tolerance {
+                        to = 0.5 * (from + to);
+                    }
+                    let length = (to - from) * segment.length();
+                    let longer = |b: &Stretch| {
+                        of_open > b.of_open || of_open == b.of_open && length > b.length + tolerance
+                    };
+                    if length > MEETING * tolerance && best.as_ref().is_none_or(longer) {
+                        best = Some(Stretch { of_open, length, owner, piece, element, part: [from, to] });
+                    }
                 }
             }
         }
     }
-    found
+    best
 }
 
-/// The fractions of an element between which it lies on another one.
-fn common(segment: &Segment, other: &Segment, tolerance: f64) -> Option<[f64; 2]> {
-    let near = |s: &Segment, p| Some(s.nearest(p)).filter(|n| n.1 <= tolerance * tolerance).map(|n| n.0);
-    let own = [(0.0, segment.start()), (1.0, segment.end())];
-    let own = own.into_iter().filter_map(|(f, p)| near(other, p).map(|_| f));
-    let ends = own.chain([other.start(), other.end()].into_iter().filter_map(|p| near(segment, p)));
-    let [from, to] = ends.fold([1.0_f64, 0.0], |[from, to], f| [from.min(f), to.max(f)]);
-    near(other, segment.at(0.5 * (from + to))).filter(|_| from < to).map(|_| [from, to])
+/// The fractions of an element between which it lies on another one; none lie between them if it does not.
+fn common(segment: &Segment, other: &Segment, tolerance: f64) -> [f64; 2] {
+    let (mut part, least) = ([1.0_f64, 0.0_f64], tolerance * tolerance);
+    let mut reaches = |f: f64| part = [part[0].min(f), part[1].max(f)];
+    for f in [0.0, 1.0] {
+        if other.nearest(segment.at(f)).1 <= least {
+            reaches(f);
+        }
+        let (own, off) = segment.nearest(other.at(f));
+        if off <= least {
+            reaches(own);
+        }
+    }
+    let lies_on = other.nearest(segment.at(0.5 * (part[0] + part[1]))).1 <= least;
+    if lies_on { part } else { [0.0; 2] }
 }
 
 /// Takes a stretch from its owner, whose whole line is known.
-fn taken(pieces: &mut Pieces, stretch: &Stretch, whole: &Path, tolerance: f64) -> Segment {
-    let (path, outline) = pieces.remove(stretch.piece);
-    let (before, after) = path.segments.split_at(stretch.element);
-    let segment = after[0];
+fn take(pieces: &mut Pieces, stretch: &Stretch, whole: &Path, tolerance: f64) -> Segment {
+    let (mut path, mut outline) = pieces.remove(stretch.piece);
     let [from, to] = stretch.part;
-    let before = before.iter().copied().chain([segment.piece(0.0, from)]);
-    let after = [segment.piece(to, 1.0)].into_iter().chain(after[1..].iter().copied());
-    let rests = if path.closed {
-        vec![after.chain(before).collect()]
-    } else {
-        vec![before.collect(), after.collect()]
-    };
-    let long = |path: &Path| path.length() > tolerance;
-    let rests = rests
-        .into_iter()
-        .map(|rest: Vec<Segment>| Path::new(rest.into_iter().filter(|s| s.length() > 0.0).collect(), false));
-    let rests: Vec<_> = rests.filter(long).map(|rest| (rest, None)).collect();
-    pieces.splice(stretch.piece..stretch.piece, rests);
-    if let Some(first) = pieces.first_mut().filter(|_| stretch.piece == 0) {
-        first.1 = outline.or_else(|| path.closed.then(|| whole.clone()));
+    let mut after = path.segments.split_off(stretch.element);
+    let segment = after[0];
+    path.segments.push(segment.piece(0.0, from));
+    after[0] = segment.piece(to, 1.0);
+    if path.closed {
+        after.append(&mut path.segments);
+        outline = Some(whole.clone());
+    }
+    // What comes before the stretch is put before what comes after it.
+    for mut rest in [after, path.segments] {
+        rest.retain(|s| s.length() > 0.0);
+        let rest = Path::new(rest, false);
+        if rest.length() > tolerance {
+            pieces.insert(stretch.piece, (rest, None));
+        }
+    }
+    if let (0, Some(first)) = (stretch.piece, pieces.first_mut()) {
+        first.1 = outline;
     }
     segment.piece(from, to)
 }
