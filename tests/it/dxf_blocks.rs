@@ -197,7 +197,8 @@ fn the_package_refuses_files_by_the_limit_of_the_reader() {
 #[test]
 fn paper_invisible_frozen_and_off_are_findings_and_no_shapes() {
     let text = lines(
-        "0 SECTION 2 TABLES 0 TABLE 2 LAYER 0 LAYER 2 ICE 70 1 62 7 0 LAYER 2 DARK 70 0 62 -3 0 ENDTAB 0 ENDSEC \
+        "0 SECTION 2 HEADER 9 $INSUNITS 70 4 0 ENDSEC \
+         0 SECTION 2 TABLES 0 TABLE 2 LAYER 0 LAYER 2 ICE 70 1 62 7 0 LAYER 2 DARK 70 0 62 -3 0 ENDTAB 0 ENDSEC \
          0 SECTION 2 BLOCKS 0 BLOCK 2 B 10 0 20 0 0 LINE 8 0 10 0 20 0 11 1 21 0 0 LINE 8 SEEN 10 0 20 0 11 2 21 0 0 ENDBLK 0 ENDSEC \
          0 SECTION 2 ENTITIES 0 LINE 8 P 67 1 10 0 20 0 11 5 21 0 0 LINE 8 I 60 1 10 0 20 0 11 5 21 0 0 LINE 8 ICE 10 0 20 0 11 5 21 0 \
          0 LINE 8 DARK 10 0 20 0 11 5 21 0 0 INSERT 8 ICE 2 B 10 0 20 0 0 INSERT 8 DARK 2 B 10 0 20 0 0 ENDSEC 0 EOF",
