@@ -85,38 +85,41 @@ impl Search<'_> {
     fn improves(&mut self, segment: &Segment, f: f64) -> bool {
         let (from, inward) = (segment.at(f), segment.tangent(f).perp() * self.side);
         let least = self.radius();
+        // Most circles that are hardly larger cross something near: nothing farther away need be compared.
+        if least > 0.0 && self.touching(from, inward, least + self.slack).is_some() {
+            return false;
+        }
         let mut radius = self.cap;
         for _ in 0..MAX_SHRINKS {
-            let center = from + inward * radius;
-            let within = (radius - self.slack).max(0.0);
-            let mut nearest = within * within;
-            let mut touched = None;
-            self.index.visit(Aabb::of(center).grown(radius), |k| {
-                *self.comparisons = self.comparisons.saturating_sub(1);
-                if let Some(segment) = self.path.segments.get(k) {
-                    let (f, d2) = segment.nearest(center);
-                    if d2 < nearest {
-                        (nearest, touched) = (d2, Some(segment.at(f) - from));
-                    }
-                }
-                *self.comparisons > 0
-            });
-            // The circle through this point that touches the path at the same place.
-            let Some(away) = touched else { break };
-            let along = away.dot(inward);
-            if along <= 0.0 {
-                break;
-            }
-            radius = radius.min(0.5 * away.length_squared() / along);
-            if radius <= least {
-                return false;
-            }
+            let Some(through) = self.touching(from, inward, radius) else { break };
+            radius = radius.min(through);
         }
         let improves = radius > least;
         if improves {
             self.widest = Some((radius, from + inward * radius));
         }
         improves
+    }
+    /// If the circle of this radius that touches the path here crosses the path: the radius of the one that touches it where
+    /// this one crosses it farthest.
+    fn touching(&mut self, from: DVec2, inward: DVec2, radius: f64) -> Option<f64> {
+        let center = from + inward * radius;
+        let within = (radius - self.slack).max(0.0);
+        let mut nearest = within * within;
+        let mut touched = None;
+        self.index.visit(Aabb::of(center).grown(radius), |k| {
+            *self.comparisons = self.comparisons.saturating_sub(1);
+            if let Some(segment) = self.path.segments.get(k) {
+                let (f, d2) = segment.nearest(center);
+                if d2 < nearest {
+                    (nearest, touched) = (d2, Some(segment.at(f) - from));
+                }
+            }
+            *self.comparisons > 0
+        });
+        let away: DVec2 = touched?;
+        let along = away.dot(inward);
+        (along > 0.0).then(|| 0.5 * away.length_squared() / along)
     }
 }
 

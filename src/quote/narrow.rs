@@ -115,6 +115,8 @@ impl Chords {
 
 /// Distance of two chords and the point halfway between them; 0 and the crossing where they cross.
 fn apart([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> (f64, DVec2) {
+    #[cfg(test)]
+    tests::COMPARISONS.set(tests::COMPARISONS.get() + 1);
     let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
     let [from, to] = [side(c, d, a), side(c, d, b)];
     if side(a, b, c) * side(a, b, d) < 0.0 && from * to < 0.0 {
@@ -135,6 +137,12 @@ fn apart([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> (f64, DVec2) {
 mod tests {
     use super::*;
     use crate::geometry::{Arc, Segment, math};
+    use std::cell::Cell;
+
+    thread_local! {
+        /// Number of pairs of chords that were compared.
+        pub(super) static COMPARISONS: Cell<usize> = const { Cell::new(0) };
+    }
 
     #[test]
     fn between_two_circles_and_by_brute_force() {
@@ -181,7 +189,7 @@ mod tests {
         assert_eq!(closer_than(&shapes, &[1, 0], 1.0), [Web { contours: [0, 1], ..web }]);
     }
 
-    /// All chords of both were compared with each other: four times the time for twice the chords, here most of a minute.
+    /// All chords within that distance were compared, here millions more: four times the time for twice the chords.
     #[test]
     fn the_web_of_two_rings_of_many_chords_is_found_in_few_comparisons() {
         let ring = |radius: f64, count: u32| {
@@ -199,10 +207,10 @@ mod tests {
             let shapes = [ring(200.0, count), ring(100.0, other)];
             assert_eq!(between(&shapes, &[0, 1]).map(|w| w.width.to_bits()), Some(least(&shapes).to_bits()));
         }
-        let shapes = [ring(200.0, 60_000), ring(100.0, 60_000)];
-        let start = std::time::Instant::now();
-        assert!((between(&shapes, &[0, 1]).unwrap().width - 100.0).abs() < 1e-6);
+        let shapes = [ring(200.0, 8000), ring(100.0, 8000)];
+        COMPARISONS.set(0);
+        assert!((between(&shapes, &[0, 1]).unwrap().width - 100.0).abs() < 1e-4);
         assert_eq!(closer_than(&shapes, &[0, 1], 150.0).len(), 1);
-        assert!(start.elapsed().as_secs() < 20, "{:?}", start.elapsed());
+        assert!(COMPARISONS.get() < 2 * 8000 * 200, "{}", COMPARISONS.get());
     }
 }
