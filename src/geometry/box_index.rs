@@ -16,6 +16,11 @@ pub struct BoxIndex {
 impl BoxIndex {
     /// Builds an index; the id of a box is its index in the iteration.
     pub fn new(boxes: impl IntoIterator<Item = Aabb>) -> Self {
+        Self::of(boxes.into_iter().collect())
+    }
+
+    /// The same for all kinds of iterations, so that its code is there once.
+    fn of(boxes: Vec<Aabb>) -> Self {
         let (ids, kept): (Vec<usize>, Vec<Aabb>) = boxes
             .into_iter()
             .enumerate()
