@@ -64,7 +64,7 @@ fn longest(
                     }
                     let length = (to - from) * segment.length();
                     let longer = |b: &Stretch| {
-                        of_open > b.of_open || of_open == b.of_open && length > b.length + tolerance
+                        of_open && !b.of_open || of_open == b.of_open && length > b.length + tolerance
                     };
                     if length > MEETING * tolerance && best.as_ref().is_none_or(longer) {
                         best = Some(Stretch { of_open, length, owner, piece, element, part: [from, to] });

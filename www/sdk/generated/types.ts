@@ -1287,7 +1287,7 @@ export interface PartGroup {
 export interface SmallestHole {
   /** The contour's id. */
   contour: number,
-  /** Distance of the two closest parallel lines that enclose it: a circle's diameter, a slot's width. */
+  /** Diameter of the largest circle inside it: a circle's diameter, a slot's width, also where the slot is bent. */
   width: number,
   /** Width divided by the thickness, if that is given. */
   over_thickness: number | null,
