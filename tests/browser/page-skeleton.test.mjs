@@ -30,7 +30,7 @@ for (const size of ['desktop', 'phone']) {
     // Two lines of 300 mm, both beside the disk or through waste.
     assert.deepEqual([summary.skeleton_cuts, Math.round(summary.skeleton_length)], [2, 600]);
     const shown = await page.locator('dd.number').evaluateAll((all) => all.map((e) => [e.previousElementSibling.textContent, e.textContent]));
-    assert.match(shown.find(([term]) => term === 'Skeleton')[1], /s · 0\.6\d* m · 2 cuts$/);
+    assert.match(shown.find(([term]) => term === 'Skeleton')[1], /s\u00a0· 0\.6\d*\u00a0m\u00a0· 2\u00a0cuts$/);
 
     // Steps through the order end at a skeleton cut: it says what it is, and has no rules.
     await page.locator('canvas').first().focus();
