@@ -2,9 +2,10 @@
 // hexagons, alone and beside parts that share nothing.
 
 import { polyline } from '../common/dxf.mjs';
+import { rectangle as corners } from '../dewil/shapes.mjs';
 
 const outline = (points) => polyline(points.map(([x, y]) => [x, y, 0]));
-const rectangle = (x, y, w, h) => outline([[x, y], [x + w, y], [x + w, y + h], [x, y + h]]);
+const rectangle = (x, y, w, h) => outline(corners(x, y, w, h));
 
 /** Columns and rows of places. */
 const places = (columns, rows) => Array.from({ length: columns * rows }, (_, k) => [k % columns, Math.floor(k / columns)]);

@@ -31,12 +31,8 @@ pub(super) fn shapes<'a>(
         open: Vec::new(),
         far: 0,
     };
-    let root = Placement {
-        to_sheet: DAffine3::from_scale(DVec3::splat(scale)),
-        layer: None,
-        color: BY_LAYER,
-        layer_zero: 0,
-    };
+    let root =
+        Placement { to_sheet: DAffine3::from_scale(DVec3::splat(scale)), layer: None, color: BY_LAYER };
     expander.entities(&file.model, &root)?;
     if expander.shapes.is_empty() && expander.far > 0 {
         return Err(ReadError::Limit(format!(
@@ -54,8 +50,6 @@ struct Placement {
     layer: Option<u32>,
     /// Resolved colour of the insert.
     color: i16,
-    /// Index of layer "0".
-    layer_zero: u32,
 }
 
 struct Expander<'f, 'a, 'n> {
@@ -78,10 +72,7 @@ impl<'a> Expander<'_, 'a, '_> {
     fn entity(&mut self, entity: &Entity<'a>, place: &Placement) -> Result<(), ReadError> {
         self.visited += 1;
         self.check()?;
-        let layer = match place.layer {
-            Some(of_insert) if entity.layer == place.layer_zero => of_insert,
-            _ => entity.layer,
-        };
+        let layer = self.file.layer_of(entity, place.layer);
         let at = || first_point(&entity.geometry).map(|p| place.to_sheet.transform_point3(p).truncate());
         if let Some(why) = self.file.hidden(entity, layer) {
             self.notes.count(Subject::Hidden(why), layer, entity.handle, at());

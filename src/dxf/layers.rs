@@ -63,7 +63,10 @@ impl<'a> Layers<'a> {
     }
 
     /// Index of layer "0", whose entities in a block take the layer of the insert.
-    pub(super) fn zero(&mut self) -> u32 {
-        self.index(b"0")
+    pub(super) const ZERO: u32 = 0;
+
+    /// Adds layer "0", before all others.
+    pub(super) fn add_zero(&mut self) {
+        self.index(b"0");
     }
 }

@@ -11,9 +11,6 @@ use super::{ocs, placement};
 use crate::drawing::{Limits, ReadError};
 use glam::{DAffine3, DVec2, DVec3};
 
-/// Index of layer "0", on which entities of a block take the layer of the insert.
-const LAYER_ZERO: u32 = 0;
-
 /// A box in space. It is empty when `min` exceeds `max`.
 #[derive(Clone, Copy, Debug)]
 struct Extent {
@@ -67,7 +64,7 @@ enum State {
 /// The file has more elements or deeper nesting than `limits` allow.
 pub(super) fn size(file: &File<'_>, limits: &Limits) -> Result<DVec2, ReadError> {
     let mut measurer = Measurer { file, limits, states: vec![[State::New; 2]; file.blocks.len()] };
-    let model = measurer.entities(&file.model, 0, LAYER_ZERO)?;
+    let model = measurer.entities(&file.model, 0, None)?;
     measurer.check(model.elements, None)?;
     let size = model.extent.max - model.extent.min;
     Ok(if size.x >= 0.0 { size.truncate() } else { DVec2::ZERO })
@@ -81,11 +78,16 @@ struct Measurer<'f, 'a> {
 }
 
 impl Measurer<'_, '_> {
-    /// Measures the entities of a block that is inserted on `layer`.
-    fn entities(&mut self, entities: &[Entity<'_>], depth: usize, layer: u32) -> Result<Measure, ReadError> {
+    /// Measures the entities of the model, or of a block that is inserted on a layer.
+    fn entities(
+        &mut self,
+        entities: &[Entity<'_>],
+        depth: usize,
+        of_insert: Option<u32>,
+    ) -> Result<Measure, ReadError> {
         let mut total = Measure { elements: 0, height: 0, extent: Extent::EMPTY };
         for entity in entities {
-            let layer = if entity.layer == LAYER_ZERO { layer } else { entity.layer };
+            let layer = self.file.layer_of(entity, of_insert);
             match &entity.geometry {
                 _ if self.file.hidden(entity, layer).is_some() => {
                     total.elements = total.elements.saturating_add(1);
@@ -133,7 +135,7 @@ impl Measurer<'_, '_> {
             State::InProgress => Ok(None),
             State::New => {
                 self.states[index][off] = State::InProgress;
-                let measure = self.entities(&block.entities, depth, layer)?;
+                let measure = self.entities(&block.entities, depth, Some(layer))?;
                 self.states[index][off] = State::Done(measure);
                 Ok(Some(measure))
             }

@@ -1,6 +1,7 @@
-//! The largest circle inside a closed path.
+//! The largest circle inside a closed path, for its width: at most slightly too small, and searched only up to a limit. How much room a
+//! hole has for a lead, and where, is rougher and quicker: `lead::inscribed`.
 
-use super::{Aabb, BoxIndex, DVec2, Path, Segment};
+use super::{Aabb, BoxIndex, Budget, DVec2, Path, Segment};
 
 /// Number of times that the distance between samples is halved around the best one.
 const HALVINGS: u32 = 8;
@@ -10,12 +11,12 @@ const MAX_SHRINKS: u32 = 24;
 /// Diameter and middle of the largest circle inside a closed path, if the diameter is less than `limit`. At each of some
 /// `samples` along each element, the largest circle that touches the line from within is reduced until it crosses no element by
 /// more than half of `slack`, mm. If their number is odd, the middle of an element comes first: there a circle touches all
-/// sides of a regular polygon. Counts `comparisons` down, and finds nothing when none are left.
+/// sides of a regular polygon. Finds nothing when `budget` is spent.
 pub fn inscribed(
     path: &Path,
     [limit, slack]: [f64; 2],
     samples: u32,
-    comparisons: &mut usize,
+    budget: &mut Budget,
 ) -> Option<(f64, DVec2)> {
     let bounds = path.bounds();
     // No circle inside is larger: a straight slot along an axis is measured by its first sample.
@@ -26,7 +27,7 @@ pub fn inscribed(
         side: path.area().signum(),
         cap: 0.5 * limit,
         slack: 0.5 * slack,
-        comparisons,
+        budget,
         widest: None,
     };
     let enough = search.cap.min(most) - search.slack;
@@ -39,7 +40,7 @@ pub fn inscribed(
             if search.improves(segment, f) {
                 best = Some((segment, f));
             }
-            if search.radius() >= enough || *search.comparisons == 0 {
+            if search.radius() >= enough || search.budget.is_spent() {
                 return search.found();
             }
         }
@@ -66,7 +67,7 @@ struct Search<'a> {
     cap: f64,
     /// How far a circle may cross an element.
     slack: f64,
-    comparisons: &'a mut usize,
+    budget: &'a mut Budget,
     /// Radius and middle of the largest circle yet.
     widest: Option<(f64, DVec2)>,
 }
@@ -77,7 +78,7 @@ impl Search<'_> {
     }
 
     fn found(&self) -> Option<(f64, DVec2)> {
-        let small = self.radius() < self.cap - self.slack && *self.comparisons > 0;
+        let small = self.radius() < self.cap - self.slack && !self.budget.is_spent();
         self.widest.filter(|_| small).map(|(radius, at)| (2.0 * radius, at))
     }
 
@@ -100,6 +101,7 @@ impl Search<'_> {
         }
         improves
     }
+
     /// If the circle of this radius that touches the path here crosses the path: the radius of the one that touches it where
     /// this one crosses it farthest.
     fn touching(&mut self, from: DVec2, inward: DVec2, radius: f64) -> Option<f64> {
@@ -108,14 +110,14 @@ impl Search<'_> {
         let mut nearest = within * within;
         let mut touched = None;
         self.index.visit(Aabb::of(center).grown(radius), |k| {
-            *self.comparisons = self.comparisons.saturating_sub(1);
+            let goes_on = self.budget.take();
             if let Some(segment) = self.path.segments.get(k) {
                 let (f, d2) = segment.nearest(center);
                 if d2 < nearest {
                     (nearest, touched) = (d2, Some(segment.at(f) - from));
                 }
             }
-            *self.comparisons > 0
+            goes_on
         });
         let away: DVec2 = touched?;
         let along = away.dot(inward);
@@ -134,7 +136,7 @@ mod tests {
     }
 
     fn width(path: &Path, limit: f64) -> Option<f64> {
-        inscribed(path, [limit, 1e-6], 8, &mut 1_000_000).map(|(width, _)| width)
+        inscribed(path, [limit, 1e-6], 8, &mut Budget::new(1_000_000)).map(|(width, _)| width)
     }
 
     #[test]

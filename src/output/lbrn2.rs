@@ -104,7 +104,7 @@ fn notes(plan: &Plan, profile: &Profile, cuts: &[Cut]) -> Vec<String> {
     if plan.moves.iter().any(|m| matches!(m, Move::Macro { .. })) {
         notes.push("The pauses in sharp corners are not in this project: LightBurn has none.".to_owned());
     }
-    if plan.moves.iter().any(|m| matches!(m, Move::PreCut { ahead, .. } if !ahead.is_empty())) {
+    if plan.moves.iter().any(Move::cuts_ahead) {
         notes.push("The pre-cuts are not in this project: LightBurn has none.".to_owned());
     }
     if plan.summary.waits > 0 {

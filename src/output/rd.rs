@@ -53,7 +53,7 @@ pub fn rd(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> Result<Vec<u8>,
             "Ruida files of Kerfway have no pauses in sharp corners: switch them off in the machine, or write G-code.".to_owned(),
         ));
     }
-    if plan.moves.iter().any(|m| matches!(m, Move::PreCut { ahead, .. } if !ahead.is_empty())) {
+    if plan.moves.iter().any(Move::cuts_ahead) {
         return Err(OutputError::Format(
             "Ruida files of Kerfway have no cuts ahead of a pre-cut: set the machine's pre_cut_length to 0, or write G-code."
                 .to_owned(),

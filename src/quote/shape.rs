@@ -1,6 +1,6 @@
 //! A contour as a polyline that is fine enough to measure widths.
 
-use crate::geometry::{Aabb, DVec2, Path, Segment, inscribed, math};
+use crate::geometry::{Aabb, Budget, DVec2, Path, Segment, inscribed, math};
 use crate::order::{real, sort_by};
 
 /// Largest distance between an arc and its chords, mm: a tenth of the precision of laser cutting.
@@ -56,8 +56,8 @@ impl Shape {
     pub(super) fn narrower_than(&self, limit: f64) -> Option<f64> {
         let hull = self.hull_width();
         let path = Path::new(self.chords().map(|[a, b]| Segment::line(a, b)).collect(), true);
-        let mut comparisons = COMPARISONS_PER_CHORD * path.segments.len() + MIN_COMPARISONS;
-        let mut below = |cap: f64| inscribed(&path, [cap, FINE], SAMPLES, &mut comparisons);
+        let mut budget = Budget::new(COMPARISONS_PER_CHORD * path.segments.len() + MIN_COMPARISONS);
+        let mut below = |cap: f64| inscribed(&path, [cap, FINE], SAMPLES, &mut budget);
         // Nearly all holes are soon found to be wider than the limit. The width of the others does not depend on it.
         let narrow = below(hull.min(limit)).and_then(|_| below(hull));
         Some(narrow.map_or(hull, |(width, _)| width)).filter(|width| *width < limit)

@@ -26,7 +26,6 @@
 
 mod assemble;
 mod bridges;
-mod budget;
 mod build;
 mod choices;
 mod clean;
@@ -36,6 +35,7 @@ mod element;
 mod exclude;
 mod findings;
 mod groups;
+mod half_edges;
 mod kerf;
 mod layer_names;
 mod layers;

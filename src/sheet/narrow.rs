@@ -12,7 +12,7 @@ use super::findings;
 use super::model::{Contour, Operation};
 use crate::drawing::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
-use crate::geometry::{Path, inscribed};
+use crate::geometry::{Budget, Path, inscribed};
 use crate::number::fixed;
 use std::f64::consts::PI;
 
@@ -35,9 +35,9 @@ pub(super) fn find(drawing: &Drawing, contours: &[Contour], limit: Limit, findin
         .filter(|(c, p)| may_be_narrow(c, p, limit.width()))
         .collect();
     let elements: usize = narrow.iter().map(|(_, path)| path.segments.len()).sum();
-    let mut comparisons = elements.saturating_mul(COMPARISONS_PER_ELEMENT).max(MIN_COMPARISONS);
+    let mut budget = Budget::new(elements.saturating_mul(COMPARISONS_PER_ELEMENT).max(MIN_COMPARISONS));
     for (contour, path) in narrow {
-        if let Some((width, at)) = inscribed(path, [limit.width(), ROUNDING], SAMPLES, &mut comparisons) {
+        if let Some((width, at)) = inscribed(path, [limit.width(), ROUNDING], SAMPLES, &mut budget) {
             let message = limit.message(width);
             let code = Code::FeatureTooSmall;
             findings.push(findings::shape(
@@ -49,7 +49,7 @@ pub(super) fn find(drawing: &Drawing, contours: &[Contour], limit: Limit, findin
                 Some(at),
             ));
         }
-        if comparisons == 0 {
+        if budget.is_spent() {
             let message =
                 "So many short lines lie in narrow contours that not all were measured against the beam.";
             findings.push(Finding::new(Code::NotAllChecked, Severity::Warning, message));

@@ -9,14 +9,13 @@
 //!
 //! Marks are not compared, because lines that fill an area are often drawn as close as this.
 
-use super::budget::Budget;
 use super::clean::SLACK;
 use super::findings::{self, count};
 use super::model::{Contour, Operation};
 use super::narrow::FINEST_BEAM;
 use crate::drawing::Drawing;
 use crate::finding::{Code, Findings, Severity};
-use crate::geometry::{Aabb, BoxIndex, DVec2, Segment};
+use crate::geometry::{Aabb, BoxIndex, Budget, DVec2, Segment};
 use crate::number::fixed;
 use rustc_hash::FxHashSet;
 

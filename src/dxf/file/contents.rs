@@ -81,6 +81,11 @@ impl<'a> File<'a> {
         }
     }
 
+    /// The effective layer of an entity: on layer "0" in a block it is that of the insert.
+    pub(in crate::dxf) fn layer_of(&self, entity: &Entity<'_>, of_insert: Option<u32>) -> u32 {
+        of_insert.filter(|_| entity.layer == Layers::ZERO).unwrap_or(entity.layer)
+    }
+
     /// Why an entity with this effective layer is not visible. An insert on a layer that is off shows its block.
     pub(in crate::dxf) fn hidden(&self, entity: &Entity<'_>, layer: u32) -> Option<Hidden> {
         let is_insert = matches!(entity.geometry, Geometry::Insert(_));

@@ -21,7 +21,7 @@ pub(super) fn is_recognised(bytes: &[u8]) -> bool {
 /// Reads the whole file.
 pub(super) fn read(bytes: &[u8]) -> File<'_> {
     let mut file = File::default();
-    file.layers.zero();
+    file.layers.add_zero();
     Reader::new(bytes).run(&mut file, false);
     file.find_blocks();
     file.find_clipped();

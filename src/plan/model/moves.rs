@@ -124,6 +124,11 @@ impl Move {
         matches!(self, Self::Joint { flying: true, .. } | Self::Fly { .. })
     }
 
+    /// Whether it is a pre-cut that has a length.
+    pub fn cuts_ahead(&self) -> bool {
+        matches!(self, Self::PreCut { ahead, .. } if !ahead.is_empty())
+    }
+
     /// Where the head is afterwards; `None` if it has not moved.
     pub fn end(&self) -> Option<DVec2> {
         match self {

@@ -7,11 +7,10 @@
 
 use super::contacts::Set;
 use super::group::{GroupElement, PierceGroup};
-use crate::geometry::{DVec2, Path, math};
-use crate::order::{real, sort_by};
+use crate::geometry::{DVec2, Path};
+use crate::sheet::half_edges::link;
 
-/// Where the directions of the elements at a node are taken, as a fraction of the length of the shortest of them: at one
-/// distance, where those with a common tangent at the node have diverged, as far as each of them turns.
+/// Where the directions of the elements at a node are compared, as a fraction of the length of the shortest of them.
 const AHEAD: f64 = 0.05;
 
 /// The group of a set of contours; `None` when its elements form no planar graph, for example because they cross
@@ -56,14 +55,8 @@ fn trace(elements: &mut [GroupElement], paths: &[Path], nodes: usize) -> Option<
     }
     let mut after = vec![0; 2 * elements.len()];
     for halves in &mut leaving {
-        let shortest = halves.iter().map(|&h| paths[h / 2].length()).fold(f64::INFINITY, f64::min);
-        let leaves = |h: usize| direction(&paths[h / 2], h % 2 == 1, AHEAD * shortest);
-        sort_by(halves, |&h| [real(math::angle_order(leaves(h))), 0, 0]);
-        for (k, &h) in halves.iter().enumerate() {
-            // A traversal that arrives by the opposite half-edge of h continues with the one before h in
-            // counter-clockwise order.
-            after[h ^ 1] = halves[(k + halves.len() - 1) % halves.len()];
-        }
+        let leaves = |h: usize, ahead| direction(&paths[h / 2], h % 2 == 1, ahead);
+        link(halves, &mut after, AHEAD, |h| paths[h / 2].length(), leaves);
     }
     let mut face = vec![u32::MAX; after.len()];
     let (mut inner, mut around) = (1, 0);

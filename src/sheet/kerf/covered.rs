@@ -27,11 +27,12 @@ struct Stretch {
 
 /// Gives a stretch to each of the lines that has no pieces. Lines within `tolerance` mm coincide.
 pub(super) fn give_back(pieces: &mut [Pieces], lines: &[Line], tolerance: f64) {
+    let covered: Vec<&Line> = lines.iter().filter(|l| pieces[l.index as usize].is_empty()).collect();
+    if covered.is_empty() {
+        return;
+    }
     let index = BoxIndex::new(lines.iter().map(|l| l.path.bounds()));
-    for line in lines {
-        if !pieces[line.index as usize].is_empty() {
-            continue;
-        }
+    for line in covered {
         let near = index.query(line.path.bounds().grown(tolerance));
         if let Some(best) = longest(pieces, lines, &near, line.path, tolerance) {
             let owner = &lines[best.owner];

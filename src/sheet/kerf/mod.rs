@@ -21,7 +21,6 @@ mod covered;
 mod crossed;
 mod facing;
 mod findings;
-
 mod offset;
 mod raw;
 mod shift;

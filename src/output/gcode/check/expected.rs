@@ -118,8 +118,7 @@ const WASTE: [&str; 2] = ["through waste for ", "from a kerf or an edge through 
 
 /// Number of cuts of a plan, those ahead of a pre-cut included.
 fn count_of(plan: &Plan) -> u32 {
-    let ahead =
-        plan.moves.iter().filter(|m| matches!(m, Move::PreCut { ahead, .. } if !ahead.is_empty())).count();
+    let ahead = plan.moves.iter().filter(|m| m.cuts_ahead()).count();
     u32::try_from(cuts(plan).len() + ahead).unwrap_or(u32::MAX)
 }
 

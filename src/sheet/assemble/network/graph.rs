@@ -8,12 +8,12 @@
 
 use super::contacts::{Net, Place};
 use super::joined::Joined;
-use crate::geometry::{DVec2, Path, Segment, interior_point, math};
-use crate::order::{real, sort_by};
+use crate::geometry::{DVec2, Path, Segment, interior_point};
+use crate::order::sort_by;
 use crate::sheet::element::Element;
+use crate::sheet::half_edges::link;
 
-/// Where the directions of the edges at a node are compared: at this fraction of the shortest of them. Arcs with a common
-/// tangent have diverged there, and no edge has gone around a corner that another one still has ahead.
+/// Where the directions of the edges at a node are compared: at this fraction of the shortest of them. There no edge has gone around a corner that another one still has ahead.
 const AHEAD: f64 = 0.25;
 
 /// A stretch of a chain between two nodes.
@@ -128,13 +128,9 @@ impl Graph {
         sort_by(&mut leaving, |(node, h)| [(*node).into(), *h as u64, 0]);
         let mut after = vec![usize::MAX; 2 * self.edges.len()];
         for at in leaving.chunk_by(|a, b| a.0 == b.0) {
-            let shortest = at.iter().fold(f64::INFINITY, |l, (_, h)| l.min(self.edges[h / 2].length));
             let mut around: Vec<HalfEdge> = at.iter().map(|(_, h)| *h).collect();
-            sort_by(&mut around, |&h| [real(math::angle_order(self.direction(h, AHEAD * shortest))), 0, 0]);
-            for (k, &h) in around.iter().enumerate() {
-                // Who arrives against h goes on with the edge before h in counter-clockwise order.
-                after[h ^ 1] = around[(k + around.len() - 1) % around.len()];
-            }
+            let length = |h: HalfEdge| self.edges[h / 2].length;
+            link(&mut around, &mut after, AHEAD, length, |h, ahead| self.direction(h, ahead));
         }
         let mut seen = vec![false; after.len()];
         let mut rounds = Vec::new();

@@ -1,9 +1,8 @@
 //! The search for contacts: what lies near a place of a chain, and the nodes so far.
 
 use super::super::joined::{Joined, Role};
-use crate::geometry::{Aabb, BoxIndex, DVec2, Union};
+use crate::geometry::{Aabb, BoxIndex, Budget, DVec2, Union};
 use crate::order::{real, sort_by};
-use crate::sheet::budget::Budget;
 use crate::sheet::element::{Element, ROUNDING};
 
 /// Number of boxes visited per element on average, and for a small drawing in total. Real networks need a few for each

@@ -2,25 +2,26 @@
 
 /// A number of comparisons that may be made.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Budget {
+pub struct Budget {
     /// The number at first.
-    pub(super) limit: usize,
+    pub limit: usize,
     left: usize,
 }
 
 impl Budget {
-    pub(super) fn new(limit: usize) -> Self {
+    /// This many.
+    pub fn new(limit: usize) -> Self {
         Self { limit, left: limit }
     }
 
     /// Takes one comparison; returns whether any are left.
-    pub(super) fn take(&mut self) -> bool {
+    pub fn take(&mut self) -> bool {
         self.left = self.left.saturating_sub(1);
         self.left > 0
     }
 
     /// Whether none are left, so that not everything was compared.
-    pub(super) fn is_spent(&self) -> bool {
+    pub fn is_spent(&self) -> bool {
         self.left == 0
     }
 }
