@@ -21,6 +21,11 @@ use serde::Serialize;
 const WEIGHT: f64 = 1e-8;
 /// Largest change of acceleration and deviation, as a factor: more means that something else is wrong.
 const LARGEST: f64 = 20.0;
+/// How far a fitted machine may be from a measured time, as a share of it: more is no matter of acceleration, corners and
+/// piercing, but of wrong seconds or speeds.
+const MISSED: f64 = 0.1;
+/// Longest pierce time that a fit may end at, s, if the machine had none longer: no plate takes longer to pierce.
+const LONGEST_PIERCE: f64 = 60.0;
 /// Unit for changes of a pierce time that is 0, s.
 const PIERCE: f64 = 0.1;
 /// Rounds of the fit. It converges in fewer than ten.
@@ -64,7 +69,7 @@ pub struct Calibration {
 /// Fits a machine to the seconds that jobs took. The plans must be of this machine; its three values are replaced.
 ///
 /// # Errors
-/// One sentence: there is no job, or a time that cannot be one.
+/// One sentence: there is no job, a time that cannot be one, or one that no machine near to this one takes.
 pub fn calibrate(machine: &Profile, measured: &[Measured]) -> Result<Calibration, String> {
     if measured.is_empty() {
         return Err("There is no job to calibrate with. Give a plan and the seconds it took.".to_owned());
@@ -89,7 +94,29 @@ pub fn calibrate(machine: &Profile, measured: &[Measured]) -> Result<Calibration
         before: job.seconds(machine),
         after: job.seconds(&fitted),
     });
-    Ok(Calibration { jobs: jobs.collect(), machine: fitted })
+    let calibration = Calibration { jobs: jobs.collect(), machine: fitted };
+    match calibration.unexplained(machine) {
+        None => Ok(calibration),
+        Some(job) => Err(format!(
+            "{} took {} s, and {:.1} s are planned: no acceleration, corner deviation and pierce time near those of the \
+             machine explain {}. Check the seconds, and the speeds of the machine.",
+            job.name,
+            job.measured,
+            job.before,
+            if measured.len() > 1 { "the times of all jobs together" } else { "the difference" }
+        )),
+    }
+}
+
+impl Calibration {
+    /// The job whose time is farthest from that of the fitted machine, if the fit has gone as far as it goes and its values
+    /// mean nothing.
+    fn unexplained(&self, before: &Profile) -> Option<&CalibratedJob> {
+        let missed = |job: &CalibratedJob| (job.after / job.measured - 1.0).abs();
+        let worst = self.jobs.iter().max_by(|a, b| missed(a).total_cmp(&missed(b)))?;
+        let pierces = self.machine.pierce_time <= before.pierce_time.max(LONGEST_PIERCE);
+        (missed(worst) > MISSED || !pierces).then_some(worst)
+    }
 }
 
 /// What of a plan takes time.

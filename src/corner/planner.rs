@@ -29,7 +29,7 @@ pub struct Planner<'s> {
     machine: &'s Profile,
     lever: Corners,
     scrap: Scrap<'s>,
-    /// By contour: whether it is cut as one with others.
+    /// By contour: whether it may be cut as one with others.
     grouped: Vec<bool>,
 }
 
@@ -43,10 +43,7 @@ impl<'s> Planner<'s> {
         }
         // A job that does not lie on the bed is reported elsewhere.
         let bed = machine.bed().filter(|bed| bed.contains_box(&sheet.bounds));
-        let mut grouped = vec![false; sheet.contours.len()];
-        for &id in sheet.cut_as_one(machine.cuts_as_one()).iter().flat_map(|g| &g.contours) {
-            grouped.get_mut(id as usize).into_iter().for_each(|grouped| *grouped = true);
-        }
+        let grouped = sheet.may_be_cut_as_one(machine.cuts_as_one());
         let scrap = Scrap::new(&sheet.contours, lever.clearance, machine.kerf_width, bed);
         Some(Self { sheet, machine, lever, scrap, grouped })
     }

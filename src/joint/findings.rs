@@ -28,7 +28,7 @@ pub fn findings<'o>(
         let message = match why {
             Refusal::Passes => "Contours that are cut in several passes have no micro-joints.",
             Refusal::Group => {
-                "Contours that share cuts and are cut as one have no micro-joints. Set common cuts to off for them."
+                "Contours that share cuts are planned together and have no micro-joints. Set common cuts to off to have some."
             }
             Refusal::Open => "Contours that are open, or share sides with others, have no micro-joints.",
             Refusal::CrossesItself => "A contour that crosses itself has no micro-joints.",

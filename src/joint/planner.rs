@@ -10,7 +10,7 @@ use crate::sheet::{Contour, HandJoint, Operation, Sheet};
 pub struct Planner<'s> {
     sheet: &'s Sheet,
     machine: &'s Profile,
-    /// By contour: whether it is cut as one with others.
+    /// By contour: whether it may be cut as one with others.
     grouped: Vec<bool>,
     cuts: Cuts,
 }
@@ -21,12 +21,7 @@ impl<'s> Planner<'s> {
         if !sheet.asks_for_joints(machine) {
             return None;
         }
-        let mut grouped = vec![false; sheet.contours.len()];
-        for &id in sheet.cut_as_one(machine.cuts_as_one()).iter().flat_map(|g| &g.contours) {
-            if let Some(grouped) = grouped.get_mut(id as usize) {
-                *grouped = true;
-            }
-        }
+        let grouped = sheet.may_be_cut_as_one(machine.cuts_as_one());
         Some(Self { sheet, machine, grouped, cuts: Cuts::new(&sheet.contours) })
     }
 

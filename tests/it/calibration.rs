@@ -18,7 +18,7 @@ fn planned(file: &str, machine: &Profile) -> Document {
 
 /// The seconds that the moves of a plan take on another machine, by planning's own sums.
 fn on(machine: &Profile, plan: &Document) -> f64 {
-    let same = Measured { plan: plan.clone(), seconds: 1.0 };
+    let same = Measured { plan: plan.clone(), seconds: plan.summary.total_time };
     calibrate(machine, &[same]).unwrap().jobs[0].before
 }
 
@@ -88,4 +88,22 @@ fn times_that_cannot_be_are_refused_in_a_sentence() {
         assert!(refused.contains("which is no time that a job takes"), "{refused}");
     }
     assert!(calibrate(&machine, &[]).unwrap_err().starts_with("There is no job to calibrate with."));
+}
+
+#[test]
+fn the_page_and_the_package_fitted_machines_to_seconds_that_no_machine_near_takes() {
+    let machine = preset("co2-100w").unwrap();
+    let plan = planned(JOBS[1], &machine);
+    let planned_time = plan.summary.total_time;
+    for seconds in [1e-3, 0.01 * planned_time, 1e3 * planned_time] {
+        let refused = calibrate(&machine, &[Measured { plan: plan.clone(), seconds }]).unwrap_err();
+        let begins = format!("{} took {seconds} s, and {planned_time:.1} s are planned: no acceleration", plan.input.name);
+        assert!(refused.starts_with(&begins) && refused.contains("explain the difference."), "{refused}");
+    }
+    // Each of two times may be explained alone, but no machine takes both for the same plan.
+    let both = [0.95, 1.6].map(|share| Measured { plan: plan.clone(), seconds: share * planned_time });
+    let alone = both.iter().map(|one| calibrate(&machine, std::slice::from_ref(one)).is_ok());
+    assert_eq!(alone.collect::<Vec<_>>(), [true, true]);
+    let refused = calibrate(&machine, &both).unwrap_err();
+    assert!(refused.contains("explain the times of all jobs together."), "{refused}");
 }

@@ -125,7 +125,7 @@ describe('reports of the command line', () => {
     for (const seconds of [0.01 * planned, 1000 * planned]) {
       const { code, stdout, stderr } = await kerfway('calibrate', `${plan}=${seconds}`, '--json', fitted);
       assert.deepEqual([code, stdout, existsSync(fitted)], [1, '', false]);
-      assert.match(stderr, /^kerfway: .*plan\.json: .* cannot be explained: [\d.]+ s are planned, .* Check the seconds, and the speeds of the machine\.\n$/);
+      assert.match(stderr, /^kerfway: .*plan\.json: plate\.dxf took [\d.]+ s, and [\d.]+ s are planned: no acceleration, .* Check the seconds, and the speeds of the machine\.\n$/);
     }
     const piped = await kerfway('calibrate', `${plan}=0.001`, '--json', '-');
     assert.equal(JSON.parse(piped.stdout).error.code, 'out-of-range');

@@ -210,7 +210,7 @@ export class Planner {
 
   /**
    * Fits the acceleration along contours, the corner deviation and the pierce time of a machine to the seconds that one or more jobs took.
-   * The plans are documents (the output `json`) of this machine.
+   * The plans are documents (the output `json`) of this machine. Seconds that no machine near to this one takes are refused (`out-of-range`).
    */
   calibrate(machine: MachineProfile, measured: readonly MeasuredPlan[]): Promise<Calibration> {
     return quietAtClose(async () => {

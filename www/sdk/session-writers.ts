@@ -53,8 +53,8 @@ export class Writers {
       const fitted = this.png.calibrate(JSON.stringify(machine), measured.map((m) => String(m.plan)), Float64Array.from(measured, (m) => m.seconds));
       return JSON.parse(fitted) as Calibration;
     } catch (error) {
-      // All that it refuses are jobs that are no plans, or times that cannot be.
-      throw error instanceof WebAssembly.RuntimeError || !(error instanceof Error) ? error : new KerfwayError('wrong-type', error.message, { field: 'measured' });
+      // All that it refuses are times that cannot be, and jobs that are no plans.
+      throw error instanceof WebAssembly.RuntimeError || !(error instanceof Error) ? error : new KerfwayError(error instanceof RangeError ? 'out-of-range' : 'wrong-type', error.message, { field: 'measured' });
     }
   }
 }

@@ -133,10 +133,8 @@ fn side_by_side(sheet: &Sheet, moves: &[Move]) -> Vec<bool> {
 pub fn contours(sheet: &Sheet, machine: &Profile, moves: &[Move], shift: DVec2) -> Vec<Contour> {
     // Contours of a pierce group are cut stretch by stretch, in any order, and so are those that are cut side by side on the run.
     let mut in_group = side_by_side(sheet, moves);
-    for id in sheet.cut_as_one(machine.cuts_as_one()).iter().flat_map(|group| &group.contours) {
-        if let Some(known) = in_group.get_mut(*id as usize) {
-            *known = true;
-        }
+    for (known, grouped) in in_group.iter_mut().zip(sheet.may_be_cut_as_one(machine.cuts_as_one())) {
+        *known |= grouped;
     }
     // What is left of a closed shape in several pieces is no open contour, so each piece has the outline of the shape.
     let mut shapes: Vec<(u32, &Path)> =

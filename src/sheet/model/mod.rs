@@ -117,6 +117,17 @@ impl Sheet {
         if cuts_as_one { self.pierce_groups() } else { &[] }
     }
 
+    /// By contour: whether the machine may cut it as one with others.
+    pub fn may_be_cut_as_one(&self, cuts_as_one: bool) -> Vec<bool> {
+        let mut grouped = vec![false; self.contours.len()];
+        for &id in self.cut_as_one(cuts_as_one).iter().flat_map(|group| &group.contours) {
+            if let Some(grouped) = grouped.get_mut(id as usize) {
+                *grouped = true;
+            }
+        }
+        grouped
+    }
+
     /// The name of a contour's layer; empty when the sheet does not know the contour.
     pub fn layer_name(&self, contour: u32) -> &str {
         let layer = self.contours.get(contour as usize).and_then(|c| self.layers.get(c.layer as usize));

@@ -5,8 +5,7 @@ import { checkProfile } from '../options.js';
 import type { Calibration, MachineProfile, MeasuredPlan } from '../protocol.js';
 import { parsed } from './arguments.js';
 import { Destinations, outputsOf } from './destinations.js';
-import { KerfwayError } from '../errors.js';
-import { textOf, Unusable, usable, WrongUse } from './io.js';
+import { textOf, usable, WrongUse } from './io.js';
 import { machineFiles, machineOf } from './machine.js';
 import { say } from './report.js';
 import { complain } from './safe-text.js';
@@ -36,7 +35,6 @@ export async function calibrate(args: string[]): Promise<void> {
       for (const [k, file] of files.entries()) await usable(file, planner.calibrate(machine, measured.slice(k, k + 1)));
       return usable(files.join(', '), Promise.reject(error));
     });
-    refuseBeyond(files, calibration, machine);
     await destinations.write(first, outputs.map((output) => ({ output, data: `${JSON.stringify(calibration.machine, null, 2)}\n` })));
     if (given.values['quiet'] !== true) await say(lines(calibration, machine), destinations.piped);
   } finally {
@@ -53,18 +51,6 @@ function plannedFor(plan: string): MachineProfile | undefined {
   } catch {
     return undefined;
   }
-}
-
-/** Refuses times that no machine near to this one takes: the fit has gone as far as it goes, and its values mean nothing. */
-function refuseBeyond(files: readonly string[], { jobs, machine: now }: Calibration, before: MachineProfile): void {
-  const missed = jobs.map((j) => Math.abs(j.after / j.measured - 1));
-  const isMet = Math.max(...missed) <= MISSED;
-  const isNear = now.pierce_time <= Math.max(before.pierce_time, PIERCE);
-  if (isMet && isNear) return;
-  const k = isMet ? 0 : missed.indexOf(Math.max(...missed));
-  const { measured, before: planned } = jobs[k]!;
-  const message = `${files[k]}: ${duration(measured)} ${jobs.length > 1 ? 'beside the other times ' : ''}cannot be explained: ${duration(planned)} are planned, and no acceleration, corner deviation and pierce time near those of the machine make such a difference. Check the seconds, and the speeds of the machine.`;
-  throw new Unusable(message, new KerfwayError('out-of-range', message, { field: 'seconds', value: String(measured) }).toJSON());
 }
 
 /** `FILE=SECONDS`; the name may contain equals signs. */
@@ -91,10 +77,6 @@ function lines({ jobs, machine: now }: Calibration, before: Calibration['machine
 
 /** The seconds of no job: the most that the fit takes. */
 const MOST = 1e7;
-/** How far a fitted machine may be from a measured time, as a share of it: more is no matter of acceleration, corners and piercing. */
-const MISSED = 0.1;
-/** No plate takes longer to pierce, s. The fit itself knows no limit. */
-const PIERCE = 60;
 /** The factor within which the fit changes acceleration and deviation: the same as in `src/calibration`. */
 const LARGEST = 20;
 

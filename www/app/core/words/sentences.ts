@@ -185,7 +185,7 @@ export const SENTENCES = {
   leadOutShorter: 'Contour {} has a shorter lead-out, because the wanted one does not fit.',
   leadOutLine: 'Contour {} has a line as its lead-out, because the wanted arc does not fit.',
   leadOutTurned: 'Contour {} has its lead-out turned, because the wanted one does not fit.',
-  commonNoJoints: 'Contours that share cuts and are cut as one have no micro-joints. Set common cuts to off for them.',
+  commonNoJoints: 'Contours that share cuts are planned together and have no micro-joints. Set common cuts to off to have some.',
   lettering: '{} small strokes of up to {} mm lie close together, like lettering: {}',
   leader: '1 open line leads to lettering: {}',
   leaders: '{} open lines lead to lettering: {}',

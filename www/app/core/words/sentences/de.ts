@@ -179,7 +179,7 @@ export const sentences: Sentences = {
   leadOutShorter: 'Kontur {0} hat eine kürzere Wegfahrt, weil die gewünschte nicht passt.',
   leadOutLine: 'Kontur {0} hat eine Linie als Wegfahrt, weil der gewünschte Bogen nicht passt.',
   leadOutTurned: 'Kontur {0} hat eine gedrehte Wegfahrt, weil die gewünschte nicht passt.',
-  commonNoJoints: 'Konturen, die sich Schnitte teilen und als eine geschnitten werden, haben keine Mikrostege. Schalten Sie dafür gemeinsame Schnitte ab.',
+  commonNoJoints: 'Konturen, die sich Schnitte teilen, werden zusammen geplant und haben keine Mikrostege. Schalten Sie dafür gemeinsame Schnitte ab.',
   lettering: '{0} kleine Striche bis {1} mm liegen dicht beieinander, wie eine Beschriftung: {2}',
   leader: '1 offene Linie führt zu einer Beschriftung: {0}',
   leaders: '{0} offene Linien führen zu einer Beschriftung: {1}',

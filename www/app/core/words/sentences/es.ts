@@ -179,7 +179,7 @@ export const sentences: Sentences = {
   leadOutShorter: 'El contorno {0} tiene una salida más corta, porque la deseada no cabe.',
   leadOutLine: 'El contorno {0} tiene una línea como salida, porque el arco deseado no cabe.',
   leadOutTurned: 'El contorno {0} tiene la salida girada, porque la deseada no cabe.',
-  commonNoJoints: 'Los contornos que comparten cortes y se cortan como uno no tienen microuniones. Desactive los cortes comunes para tenerlas.',
+  commonNoJoints: 'Los contornos que comparten cortes se planifican juntos y no tienen microuniones. Desactive los cortes comunes para tenerlas.',
   lettering: '{0} trazos pequeños de hasta {1} mm están muy juntos, como una rotulación: {2}',
   leader: '1 línea abierta lleva a una rotulación: {0}',
   leaders: '{0} líneas abiertas llevan a una rotulación: {1}',

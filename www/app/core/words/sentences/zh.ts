@@ -179,7 +179,7 @@ export const sentences: Sentences = {
   leadOutShorter: '轮廓 {0} 的引出线较短，因为所需的放不下。',
   leadOutLine: '轮廓 {0} 的引出线是直线，因为所需的圆弧放不下。',
   leadOutTurned: '轮廓 {0} 的引出线被转向，因为所需的放不下。',
-  commonNoJoints: '共用切割并作为一个切割的轮廓没有微连接。要有微连接，请关闭共边切割。',
+  commonNoJoints: '共用切割的轮廓一起规划，没有微连接。要有微连接，请关闭共边切割。',
   lettering: '{0} 条不超过 {1} mm 的小笔画紧靠在一起，像文字：{2}',
   leader: '1 条开放的线通向文字：{0}',
   leaders: '{0} 条开放的线通向文字：{1}',
