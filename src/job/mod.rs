@@ -7,14 +7,11 @@
 mod best_path;
 mod bridges;
 mod code;
-mod common_cuts;
-mod corners;
+mod conflicts;
 mod cutting_times;
 mod error;
+mod findings;
 mod halves;
-mod heat;
-mod joints;
-mod leads;
 #[cfg(feature = "research")]
 mod optimum;
 mod option_fields;
@@ -33,7 +30,6 @@ mod sample;
 mod shift;
 #[cfg(feature = "research")]
 mod solving;
-mod tips;
 mod warm_path;
 
 pub use crate::output::OutputKind;
@@ -202,8 +198,8 @@ impl Job {
             let sentence = "This build of Kerfway has no insertion heuristic. Leave out \"commonCuts\", or load the whole package.";
             return Err(JobError::Conflict { field: "commonCuts", sentence });
         }
-        corners::check(&self.sheet, profile)?;
-        bridges::check(&self.sheet, profile)?;
+        conflicts::corners(&self.sheet, profile)?;
+        conflicts::bridges(&self.sheet, profile)?;
         self.drop_run();
         let run = self.begin(placed, options).inspect_err(|_| self.drop_run())?;
         Ok(self.run.insert(run))

@@ -1,6 +1,6 @@
 //! Writes the best plan of a job. A plan that does not pass the independent checker is never written.
 
-use super::{Job, JobError, Placed, heat, tips};
+use super::{Job, JobError, Placed, findings};
 use crate::drawing::Unit;
 use crate::fields::{Fault, FieldError};
 use crate::geometry::{Aabb, Affine, DVec2, Segment};
@@ -181,8 +181,7 @@ impl Job {
             moves: plan.moves.iter().map(Move::from).collect(),
             findings: findings
                 .map(|f| f.clone().moved(*shift))
-                .chain(tips::finding(plan, profile.home()))
-                .chain(heat::finding(plan, profile))
+                .chain(findings::of_plan(plan, profile))
                 .collect(),
         })
     }

@@ -1,9 +1,7 @@
 //! A plan and the search for it: the problem, the search, its budget and its result.
 
 use super::plan_options::{Budget, PlanOptions};
-use super::{
-    Baselines, JobError, Placed, WarmPath, common_cuts, corners, joints, leads, problem_of, warm_path,
-};
+use super::{Baselines, JobError, Placed, WarmPath, conflicts, findings, problem_of, warm_path};
 use crate::finding::Finding;
 use crate::machine::Profile;
 use crate::plan::{self, LowerBound, Plan};
@@ -93,20 +91,12 @@ impl Run {
         let parameters = options.parameters.as_deref().unwrap_or_default();
         let method = solve::named(name, parameters)?;
         let machine = placed.seen_from_drawing();
-        if method.is_published() && machine.levers.chains.is_some() {
-            let sentence = "Methods of papers do not join contours through waste. Leave out \"levers.chains\", or choose the method tour-tree.";
-            return Err(JobError::Conflict { field: "method", sentence });
-        }
-        if method.is_published() && machine.levers.common_cuts.is_some() {
-            let sentence = "Methods of papers do not begin again on kerfs. Leave out \"levers.common_cuts\", or choose the method tour-tree.";
-            return Err(JobError::Conflict { field: "method", sentence });
+        if method.is_published() {
+            conflicts::published_method(&machine)?;
         }
         let problem = problem_of(sheet, &machine);
         let summary = |s: &Solution| plan::from_solution(sheet, &problem, s).summary;
-        let mut findings = common_cuts::findings(sheet, &problem);
-        findings.extend(leads::findings(sheet, &machine, &problem));
-        findings.extend(joints::findings(sheet, &machine, &problem));
-        findings.extend(corners::findings(&machine, &problem));
+        let findings = findings::of_problem(sheet, &machine, &problem);
         let greedy = solve::greedy(&problem);
         let baselines = Baselines {
             drawing: summary(&solve::in_order(&problem, sheet.drawing_order())),

@@ -22,7 +22,8 @@ pub fn render_png(plan_json: &str, width: u32) -> Result<Vec<u8>, JsError> {
 pub fn calibrate(machine: &str, plans: Vec<String>, seconds: &[f64]) -> Result<String, JsValue> {
     let (machine, measured) = read(machine, &plans, seconds).map_err(|e| JsError::new(&e))?;
     let calibration = calibration::calibrate(&machine, &measured).map_err(|e| RangeError::new(&e))?;
-    Ok(serde_json::to_string(&calibration).map_err(|e| JsError::new(&format!("The calibration cannot be written: {e}.")))?)
+    Ok(serde_json::to_string(&calibration)
+        .map_err(|e| JsError::new(&format!("The calibration cannot be written: {e}.")))?)
 }
 
 fn read(machine: &str, plans: &[String], seconds: &[f64]) -> Result<(Profile, Vec<Measured>), String> {

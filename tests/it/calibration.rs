@@ -97,7 +97,10 @@ fn the_page_and_the_package_fitted_machines_to_seconds_that_no_machine_near_take
     let planned_time = plan.summary.total_time;
     for seconds in [1e-3, 0.01 * planned_time, 1e3 * planned_time] {
         let refused = calibrate(&machine, &[Measured { plan: plan.clone(), seconds }]).unwrap_err();
-        let begins = format!("{} took {seconds} s, and {planned_time:.1} s are planned: no acceleration", plan.input.name);
+        let begins = format!(
+            "{} took {seconds} s, and {planned_time:.1} s are planned: no acceleration",
+            plan.input.name
+        );
         assert!(refused.starts_with(&begins) && refused.contains("explain the difference."), "{refused}");
     }
     // Each of two times may be explained alone, but no machine takes both for the same plan.

@@ -1,10 +1,8 @@
 //! What a plan says about corners that are to be cut in loops or rounded.
 
-use crate::fields::{Fault, FieldError};
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::machine::{CornerKind, PLANS_ALL_LEVERS, Profile};
 use crate::problem::Problem;
-use crate::sheet::Sheet;
 
 /// Every corner that has no room for a loop or an arc, with its place.
 pub(super) fn findings(machine: &Profile, problem: &Problem) -> Vec<Finding> {
@@ -27,19 +25,4 @@ pub(super) fn findings(machine: &Profile, problem: &Problem) -> Vec<Finding> {
         }
     }
     all.into_list()
-}
-
-/// Refuses choices for corners on a machine that does not say how they are cut.
-pub(super) fn check(sheet: &Sheet, machine: &Profile) -> Result<(), FieldError> {
-    let asks = sheet.choices.iter().find(|c| c.corners.is_some_and(|kind| kind != CornerKind::Stop));
-    match asks.filter(|_| machine.levers.corners.is_none()) {
-        None => Ok(()),
-        Some(choice) => {
-            let message = format!(
-                "The corners of contour {} are to be cut without a stop, but the machine {} has no \"levers.corners\". Give it, or leave out the choice.",
-                choice.contour, machine.name
-            );
-            Err(FieldError::new(Fault::Contradiction, "machine.levers", message))
-        }
-    }
 }
