@@ -1,6 +1,6 @@
 //! The contours of a program: what is cut between two rapids, which of them are the same, and how many parts they make.
 
-use super::reader::Event;
+use super::program::Event;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, interior_point, math, winding};
 use crate::order::{real, sort_by};
 

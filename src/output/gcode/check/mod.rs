@@ -12,6 +12,7 @@ mod contours;
 mod expected;
 mod macros;
 mod problem;
+mod program;
 mod reader;
 mod report;
 mod rules;

@@ -2,7 +2,7 @@
 
 use super::contours::{self, Cut};
 use super::problem::{Problem, Problems};
-use super::reader::{Event, Program};
+use super::program::{Event, Program};
 use crate::finding::Severity;
 use crate::geometry::{Aabb, DVec2, Segment};
 use crate::machine::dialect::Dialect;

@@ -2,7 +2,7 @@
 
 use super::expected::Expected;
 use super::problem::{Code, Problems};
-use super::reader::{Event, Program};
+use super::program::{Event, Program};
 use super::report::Figures;
 use super::words::commands;
 use crate::finding::Severity;
