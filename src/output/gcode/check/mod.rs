@@ -16,6 +16,7 @@ mod program;
 mod reader;
 mod report;
 mod rules;
+mod totals;
 mod words;
 
 pub use problem::{Code as CheckCode, Problem as CheckProblem};
@@ -57,7 +58,7 @@ fn run(text: &str, profile: &Profile, dialect: &Dialect, plan: Option<&Plan>) ->
     let cuts = contours::cuts(&program.events);
     rules::beam(&program, dialect, profile, &expected, &mut problems);
     let figures = report::figures(&program, &cuts, profile);
-    rules::compare(&figures, &expected, dialect, profile, &mut problems);
+    totals::compare(&figures, &expected, dialect, profile, &mut problems);
     if expected.by_kerfway && is_changed(text) {
         problems.error(CheckCode::Changed, None, || CHANGED.into());
     }
