@@ -4,21 +4,23 @@
 //! against a limit, which copies of copies soon reach: such a file is refused. So are long chains of copies and rules that
 //! are compared with all ancestors of all elements, which take time and make nothing.
 
+mod copies;
 mod roles;
 mod shapes;
 
 use super::css::{StyleSheet, without_comments};
 use super::layers::Key;
-use super::length::{Axis, Lengths};
+use super::length::Lengths;
 use super::report::{Hidden, Report, Subject};
 use super::scale::Scale;
 use super::steps::Steps;
 use super::style::{self, Own, Style};
 use super::viewport;
-use super::xml::{Document, Space};
+use super::xml::Document;
 use super::{shape, transform};
 use crate::drawing::{EntityKindCount, ReadError, ReadOptions, Shape};
 use crate::geometry::{Affine, DVec2};
+use copies::Copy;
 use std::collections::BTreeMap;
 
 /// What a walk found.
@@ -100,12 +102,6 @@ struct Frame {
     place: Place,
     /// The size that a `use` gives to the `symbol` or `svg` it copies.
     instance: Option<[Option<f64>; 2]>,
-}
-
-/// A `use` with its target.
-struct Copy {
-    target: u32,
-    outer: Option<u32>,
 }
 
 struct Walker<'w, 'a> {
@@ -249,49 +245,6 @@ impl<'w, 'a> Walker<'w, 'a> {
                 }
             },
         }
-    }
-
-    /// Visits the element that a `use` copies.
-    fn copy(&mut self, element: u32, mut place: Place) {
-        let lengths = self.lengths(&place);
-        let length =
-            |name: &str, axis| self.document.attribute(element, name).and_then(|t| lengths.read(t, axis));
-        let offset =
-            DVec2::new(length("x", Axis::Width).unwrap_or(0.0), length("y", Axis::Height).unwrap_or(0.0));
-        let size = [length("width", Axis::Width), length("height", Axis::Height)];
-        place.map = Affine::translation(offset).then(&place.map);
-        let href = self.document.attribute(element, "href");
-        let href =
-            href.or(self.document.attribute_in(element, Space::Xlink, "href")).unwrap_or_default().trim();
-        let short = || href.chars().take(60).collect::<String>();
-        let (id, at) = (self.id(element), Some(place.map.point(DVec2::ZERO)));
-        let Some(target) = href.strip_prefix('#').and_then(|id| self.document.by_id(id)) else {
-            self.walked.report.count(Subject::Missing(short()), None, id, at);
-            return;
-        };
-        let mut around = place.copy;
-        while let Some(copy) = around.and_then(|c| self.copies.get(c as usize)) {
-            self.steps.take(1);
-            if copy.target == target {
-                self.walked.report.count(Subject::Cyclic(short()), None, id, at);
-                return;
-            }
-            around = copy.outer;
-        }
-        let mut above = Some(element);
-        while let Some(e) = above {
-            self.steps.take(1);
-            if e == target {
-                self.walked.report.count(Subject::Cyclic(short()), None, id, at);
-                return;
-            }
-            above = self.document.get(e).and_then(|e| e.parent);
-        }
-        let this = u32::try_from(self.copies.len()).ok();
-        self.copies.push(Copy { target, outer: place.copy });
-        place.copy = this;
-        let end = self.document.get(target).map_or(0, |e| e.end);
-        self.open.push(Frame { next: target, end, place, instance: Some(size) });
     }
 
     fn count_kind(&mut self, name: &'a str, supported: bool, place: &Place) {

@@ -1,0 +1,138 @@
+//! The elements and attributes of an XML file, as a flat tree.
+//!
+//! `quick-xml` finds the tags; `builder.rs` resolves namespaces, expands entities and keeps the text of style sheets. It works
+//! without recursion, so that deep nesting takes no stack.
+
+mod builder;
+
+use crate::drawing::{Limits, ReadError};
+use builder::Builder;
+use rustc_hash::FxHashMap;
+use std::borrow::Cow;
+
+/// A namespace that matters here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Space {
+    /// No namespace.
+    None,
+    /// `http://www.w3.org/2000/svg`.
+    Svg,
+    /// `http://www.w3.org/1999/xlink`.
+    Xlink,
+    /// `http://www.inkscape.org/namespaces/inkscape`.
+    Inkscape,
+    /// Any other.
+    Other,
+}
+
+impl Space {
+    fn of(uri: &str) -> Self {
+        match uri {
+            "" => Self::None,
+            "http://www.w3.org/2000/svg" => Self::Svg,
+            "http://www.w3.org/1999/xlink" => Self::Xlink,
+            "http://www.inkscape.org/namespaces/inkscape" => Self::Inkscape,
+            _ => Self::Other,
+        }
+    }
+}
+
+/// An attribute.
+#[derive(Debug)]
+pub(super) struct Attribute<'a> {
+    pub(super) space: Space,
+    /// Name without prefix.
+    pub(super) name: &'a str,
+    /// Value with entities expanded.
+    pub(super) value: Cow<'a, str>,
+}
+
+/// An element. Its children follow it in the list of elements.
+#[derive(Debug)]
+pub(super) struct Element<'a> {
+    /// Name without prefix; empty for an element of another namespace, which SVG ignores.
+    pub(super) name: &'a str,
+    /// Index of the element around it.
+    pub(super) parent: Option<u32>,
+    /// Index of the first element after it that is not inside it.
+    pub(super) end: u32,
+    first_attribute: u32,
+    last_attribute: u32,
+}
+
+/// The elements of a file in document order.
+#[derive(Debug, Default)]
+pub(super) struct Document<'a> {
+    pub(super) elements: Vec<Element<'a>>,
+    attributes: Vec<Attribute<'a>>,
+    ids: FxHashMap<String, u32>,
+    /// The text of all `style` elements.
+    pub(super) style: String,
+    /// The comments before the root element, where Illustrator and other programs write their names.
+    pub(super) preamble: String,
+    /// Number of entities in the text of elements that are not expanded.
+    pub(super) entities_left: u32,
+}
+
+impl<'a> Document<'a> {
+    /// An attribute of SVG itself, which has no namespace.
+    pub(super) fn attribute(&self, element: u32, name: &str) -> Option<&str> {
+        self.attribute_in(element, Space::None, name)
+    }
+
+    /// An attribute in a namespace.
+    pub(super) fn attribute_in(&self, element: u32, space: Space, name: &str) -> Option<&str> {
+        self.attributes(element).iter().find(|a| a.space == space && a.name == name).map(|a| a.value.as_ref())
+    }
+
+    /// All attributes of an element.
+    pub(super) fn attributes(&self, element: u32) -> &[Attribute<'a>] {
+        let range = self.get(element).map(|e| e.first_attribute as usize..e.last_attribute as usize);
+        range.and_then(|r| self.attributes.get(r)).unwrap_or_default()
+    }
+
+    /// The element with this id; the first one if several have it, as in browsers.
+    pub(super) fn by_id(&self, id: &str) -> Option<u32> {
+        self.ids.get(id).copied()
+    }
+
+    pub(super) fn get(&self, element: u32) -> Option<&Element<'a>> {
+        self.elements.get(element as usize)
+    }
+
+    /// Name of an element.
+    pub(super) fn name(&self, element: u32) -> &'a str {
+        self.get(element).map_or("", |e| e.name)
+    }
+
+    /// The children of an element, in order.
+    pub(super) fn children(&self, element: u32) -> impl Iterator<Item = u32> + '_ {
+        let end = self.get(element).map_or(0, |e| e.end);
+        std::iter::successors(Some(element + 1), |&e| self.get(e).map(|e| e.end))
+            .take_while(move |&e| e < end)
+    }
+
+    /// Whether Illustrator wrote the file.
+    pub(super) fn is_by_illustrator(&self) -> bool {
+        self.preamble.as_bytes().windows(17).any(|w| w == b"Adobe Illustrator")
+    }
+
+    /// The version of SVG that the root names (`SVG 1.1`).
+    pub(super) fn version(&self) -> Option<String> {
+        self.attribute(0, "version").filter(|v| !v.is_empty() && v.len() < 20).map(|v| format!("SVG {v}"))
+    }
+}
+
+/// Reads the elements of a file.
+///
+/// # Errors
+/// The XML is damaged, its root is not `svg`, or it exceeds a limit.
+pub(super) fn read<'a>(text: &'a str, limits: &Limits) -> Result<Document<'a>, ReadError> {
+    let document = Builder::new(text, limits).run()?;
+    if document.elements.is_empty() {
+        return Err(ReadError::NotADrawing(
+            "The file ends before its first element. Save the SVG again.".to_owned(),
+        ));
+    }
+    Ok(document)
+}
