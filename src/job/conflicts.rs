@@ -1,9 +1,33 @@
-//! What cannot be asked for together.
+//! What cannot be asked for together, and what this build of Kerfway cannot plan.
 
 use super::JobError;
 use crate::fields::{Fault, FieldError};
 use crate::machine::{CornerKind, PLANS_ALL_LEVERS, Profile};
-use crate::sheet::Sheet;
+use crate::sheet::{CommonCuts, Sheet};
+
+/// Refuses what a machine cannot do for a sheet, or this build of Kerfway cannot plan.
+pub(super) fn check(sheet: &Sheet, machine: &Profile) -> Result<(), JobError> {
+    if let Some(layer) = sheet.lowers_head(machine).filter(|_| machine.z_speed.is_none()) {
+        let message = format!(
+            "The passes on layer {layer} lower the head, but the machine {} has no \"z_speed\". Set it, or set the z step to 0.",
+            machine.name
+        );
+        return Err(FieldError::new(Fault::Missing, "machine.z_speed", message).into());
+    }
+    if let Some((lever, does)) = machine.levers.not_in_this_build() {
+        let message = format!(
+            "The machine {} {does}, which this build of Kerfway does not plan. Leave out \"levers.{lever}\", or load the whole package.",
+            machine.name
+        );
+        return Err(FieldError::new(Fault::Contradiction, "machine.levers", message).into());
+    }
+    if !PLANS_ALL_LEVERS && sheet.common_cuts == CommonCuts::Insertion {
+        let sentence = "This build of Kerfway has no insertion heuristic. Leave out \"commonCuts\", or load the whole package.";
+        return Err(JobError::Conflict { field: "commonCuts", sentence });
+    }
+    corners(sheet, machine)?;
+    bridges(sheet, machine)
+}
 
 /// Refuses levers that the published methods do not know.
 pub(super) fn published_method(machine: &Profile) -> Result<(), JobError> {
@@ -18,7 +42,7 @@ pub(super) fn published_method(machine: &Profile) -> Result<(), JobError> {
 }
 
 /// Refuses choices for corners on a machine that does not say how they are cut.
-pub(super) fn corners(sheet: &Sheet, machine: &Profile) -> Result<(), FieldError> {
+fn corners(sheet: &Sheet, machine: &Profile) -> Result<(), FieldError> {
     let asks = sheet.choices.iter().find(|c| c.corners.is_some_and(|kind| kind != CornerKind::Stop));
     match asks.filter(|_| machine.levers.corners.is_none()) {
         None => Ok(()),
@@ -33,7 +57,7 @@ pub(super) fn corners(sheet: &Sheet, machine: &Profile) -> Result<(), FieldError
 }
 
 /// Refuses what cannot be asked for together with bridges.
-pub(super) fn bridges(sheet: &Sheet, machine: &Profile) -> Result<(), JobError> {
+fn bridges(sheet: &Sheet, machine: &Profile) -> Result<(), JobError> {
     let Some(bridges) = machine.levers.bridges.filter(|_| PLANS_ALL_LEVERS) else { return Ok(()) };
     if let Some((field, value, range)) = bridges.numbers().into_iter().find(|n| !n.2.holds(n.1)) {
         return Err(FieldError::out_of_range("The machine's field", field, value, &range).into());

@@ -6,7 +6,10 @@
 
 mod clips;
 mod contents;
+mod notes;
+mod properties;
 mod reader;
+mod section;
 
 pub(super) use contents::File;
 use reader::Reader;

@@ -1,13 +1,14 @@
 //! Reads the records of a file one after the other, and tracks the section they are in.
 
 use super::contents::File;
-use crate::dxf::breaks::BreakKind;
+use super::notes::{note_breaks, note_end};
+use super::properties::with_properties;
+use super::section::Section;
 use crate::dxf::entities::{self, Gathering, Soundness};
-use crate::dxf::entity::{BY_LAYER, Entity, Geometry, Hidden};
+use crate::dxf::entity::{Entity, Geometry, Hidden};
 use crate::dxf::ocs;
 use crate::dxf::record::Record;
 use crate::dxf::report::Note;
-use crate::dxf::tag::Tag;
 use crate::dxf::tokens::Tokens;
 use crate::finding::{Code, Severity};
 
@@ -16,28 +17,6 @@ const LAYOUT: &[u8] = b"*PAPER_SPACE";
 
 /// Number of texts whose heights are kept, as hints at the unit.
 const TEXTS: usize = 500;
-
-/// Kind of section that the reader is in.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Section {
-    /// Outside all sections, or the line that opened the section is missing.
-    Unknown,
-    Header,
-    Tables,
-    /// An entity outside a block in this section has lost the start of its block.
-    Blocks,
-    Entities,
-    /// Where the boundaries of clipped inserts are.
-    Objects,
-    /// A section without geometry.
-    Other,
-}
-
-impl Section {
-    fn holds_entities(self) -> bool {
-        matches!(self, Self::Blocks | Self::Entities)
-    }
-}
 
 pub(super) struct Reader<'a> {
     tokens: Tokens<'a>,
@@ -71,7 +50,7 @@ impl<'a> Reader<'a> {
                     variable = b"";
                     file.recognised = true;
                     next = self.tokens.next();
-                    self.section = next.as_ref().map_or(Section::Unknown, section_of);
+                    self.section = next.as_ref().map_or(Section::Unknown, Section::named_by);
                 }
                 Some(b"ENDSEC") => {
                     self.close_polyline(file, false);
@@ -90,7 +69,7 @@ impl<'a> Reader<'a> {
                 Some(_) if matches!(self.section, Section::Objects | Section::Other) => {}
                 Some(_) => {
                     next = record.gather(tag, &mut self.tokens);
-                    self.note_breaks(file, Some(&record));
+                    note_breaks(&mut self.tokens, file, Some(&record));
                     if !self.opens_section(&record, file) {
                         self.take(&record, file);
                     }
@@ -98,7 +77,7 @@ impl<'a> Reader<'a> {
                 None if tag.code == 9 => variable = tag.text().unwrap_or_default(),
                 None => file.header.take(variable, &tag),
             }
-            self.note_breaks(file, None);
+            note_breaks(&mut self.tokens, file, None);
             if until_recognised && file.recognised {
                 return;
             }
@@ -107,8 +86,8 @@ impl<'a> Reader<'a> {
             }
         }
         self.close_polyline(file, !self.ended);
-        self.note_breaks(file, None);
-        self.note_end(file);
+        note_breaks(&mut self.tokens, file, None);
+        note_end(&self.tokens, self.ended, file);
     }
 
     /// Whether an unknown record outside every section is the misspelt start of a section, because it names one. If so,
@@ -117,7 +96,7 @@ impl<'a> Reader<'a> {
         let Some((name, rest)) = record.tags.split_first().filter(|(tag, _)| tag.code == 2) else {
             return false;
         };
-        let section = section_of(name);
+        let section = Section::named_by(name);
         if self.section != Section::Unknown || section == Section::Unknown || is_expected(record.name) {
             return false;
         }
@@ -167,13 +146,13 @@ impl<'a> Reader<'a> {
                 && entities::kind(name).is_none() => {}
             b"POLYLINE" => {
                 file.recognised = true;
-                let head = head(record, file, "POLYLINE", Geometry::Invalid("", None));
+                let head = with_properties(record, file, "POLYLINE", Geometry::Invalid("", None));
                 self.polyline = Some((head, entities::begin_polyline(record)));
             }
             name => {
                 let Some(geometry) = self.geometry(record, file) else { return };
                 let kind = entities::kind(name).map_or("", |k| k.name);
-                let entity = head(record, file, kind, geometry);
+                let entity = with_properties(record, file, kind, geometry);
                 self.push(file, entity);
             }
         }
@@ -236,49 +215,6 @@ impl<'a> Reader<'a> {
             None => file.model.push(entity),
         }
     }
-
-    fn note_breaks(&mut self, file: &mut File<'a>, record: Option<&Record<'a>>) {
-        for b in self.tokens.take_breaks() {
-            let (word, place) = (self.tokens.place_word(), b.place);
-            let (code, text) = match b.kind {
-                BreakKind::OutOfSync => (
-                    Code::Resynchronised,
-                    format!(
-                        "The file is broken near {word} {place}: lines are missing, doubled or swapped. Reading went on at the next sound place."
-                    ),
-                ),
-                BreakKind::BadValue => {
-                    (Code::BadNumber, format!("Near {word} {place} there is no number where one must be."))
-                }
-                BreakKind::MergeConflict => (
-                    Code::Resynchronised,
-                    format!(
-                        "The file holds an unresolved merge conflict at {word} {place}: both versions are read. Resolve it and load the file again."
-                    ),
-                ),
-            };
-            file.notes.push(Note {
-                layer: record.and_then(|r| r.layer).map(|name| file.layers.index(name)),
-                handle: record.and_then(|r| r.handle),
-                ..Note::new(code, Severity::Warning, text)
-            });
-        }
-    }
-
-    fn note_end(&self, file: &mut File<'a>) {
-        let text = if self.ended {
-            if !self.tokens.has_more() {
-                return;
-            }
-            "Text after the end mark of the file was not read."
-        } else if self.tokens.cut_off() {
-            "The file ends in the middle: it was probably not copied whole. What comes after is missing."
-        } else {
-            "The file ends without its end mark: it may not have been copied whole. Check that nothing is missing."
-        };
-        let severity = if self.ended { Severity::Info } else { Severity::Warning };
-        file.notes.push(Note::new(Code::Truncated, severity, text));
-    }
 }
 
 /// Whether this record may follow a polyline whose end is not written.
@@ -289,43 +225,4 @@ fn is_expected(name: &[u8]) -> bool {
 /// Whether a block of this name is that of a paper layout.
 fn is_layout(name: &[u8]) -> bool {
     name.get(..LAYOUT.len()).is_some_and(|n| n.eq_ignore_ascii_case(LAYOUT))
-}
-
-/// The section named by `tag`.
-fn section_of(tag: &Tag<'_>) -> Section {
-    match tag.text() {
-        Some(b"HEADER") => Section::Header,
-        Some(b"TABLES") => Section::Tables,
-        Some(b"BLOCKS") => Section::Blocks,
-        Some(b"ENTITIES") => Section::Entities,
-        Some(b"OBJECTS") => Section::Objects,
-        Some(b"CLASSES" | b"THUMBNAILIMAGE" | b"ACDSDATA") => Section::Other,
-        _ => Section::Unknown,
-    }
-}
-
-/// Reads the properties common to all entities.
-fn head<'a>(
-    record: &Record<'a>,
-    file: &mut File<'a>,
-    kind: &'static str,
-    geometry: Geometry<'a>,
-) -> Entity<'a> {
-    let hidden = match (record.paper, record.invisible) {
-        (true, _) => Some(Hidden::Paper),
-        (_, true) => Some(Hidden::Invisible),
-        _ => None,
-    };
-    // An entity that is not cut need not be checked.
-    let soundness = if kind.is_empty() { Soundness::Sound } else { entities::check_soundness(record) };
-    Entity {
-        kind,
-        handle: record.handle,
-        layer: file.layers.index(record.layer.unwrap_or(b"0")),
-        color: record.color.and_then(|c| i16::try_from(c).ok()).unwrap_or(BY_LAYER),
-        damaged: record.damaged || soundness == Soundness::Broken,
-        assumed: if let Soundness::Assumed(what) = soundness { Some(what) } else { None },
-        hidden,
-        geometry,
-    }
 }
