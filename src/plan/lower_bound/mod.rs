@@ -67,6 +67,7 @@
 mod certificate;
 mod charges;
 mod cheap;
+mod effort;
 mod extras;
 #[cfg(feature = "research")]
 mod flows;

@@ -26,7 +26,8 @@ mod orders;
 mod shortest;
 mod states;
 
-use super::certificate::{CertificateFault, Certified, MOST_KNOTS, divided, unit};
+use super::certificate::{CertificateFault, Certified, divided, unit};
+use super::effort::MOST_KNOTS;
 use super::mixtures::{MixedLegs, Mixtures};
 use super::net::{Item, homes};
 use super::order::Order;

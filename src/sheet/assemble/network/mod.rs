@@ -24,6 +24,7 @@ mod contacts;
 mod contours;
 mod graph;
 mod joined;
+mod owners;
 mod shapes;
 
 use crate::sheet::element::Chains;
