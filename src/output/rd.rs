@@ -36,35 +36,7 @@ const FARTHEST: f64 = 2_147_483_647.0;
 /// that have a length, or it lifts the head.
 pub fn rd(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> Result<Vec<u8>, OutputError> {
     let cuts = cuts(plan);
-    if cuts.iter().any(|c| c.z < 0.0) {
-        return Err(OutputError::Format(
-            "Ruida files of Kerfway do not lower the head: set the z step of the passes to 0, or write a LightBurn project."
-                .to_owned(),
-        ));
-    }
-    if plan.summary.waits > 0 {
-        return Err(OutputError::Format(
-            "Ruida files of Kerfway have no waits: give near cuts a charge in the machine's levers.heat, or write G-code."
-                .to_owned(),
-        ));
-    }
-    if plan.moves.iter().any(|m| matches!(m, Move::Macro { .. })) {
-        return Err(OutputError::Format(
-            "Ruida files of Kerfway have no pauses in sharp corners: switch them off in the machine, or write G-code.".to_owned(),
-        ));
-    }
-    if plan.moves.iter().any(Move::cuts_ahead) {
-        return Err(OutputError::Format(
-            "Ruida files of Kerfway have no cuts ahead of a pre-cut: set the machine's pre_cut_length to 0, or write G-code."
-                .to_owned(),
-        ));
-    }
-    if plan.summary.lifts + plan.summary.detours > 0 {
-        return Err(OutputError::Format(
-            "Ruida files of Kerfway move the head straight and never lift it: switch off the machine's lift and its ways around pieces that may tip, or write G-code."
-                .to_owned(),
-        ));
-    }
+    refuse(plan, &cuts)?;
     let process_of = |cut: &Cut| CutProcess::of_cut(sheet, profile, cut);
     let mut parts: Vec<CutProcess> = Vec::new();
     for cut in &cuts {
@@ -108,6 +80,33 @@ pub fn rd(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> Result<Vec<u8>,
         file.cut(cut);
     }
     Ok(file.finish())
+}
+
+/// Refuses a plan with something that the files cannot say.
+fn refuse(plan: &Plan, cuts: &[Cut]) -> Result<(), OutputError> {
+    let lowers = cuts.iter().any(|c| c.z < 0.0);
+    let pauses = plan.moves.iter().any(|m| matches!(m, Move::Macro { .. }));
+    let evades = plan.summary.lifts + plan.summary.detours > 0;
+    let refused = [
+        (lowers, "do not lower the head: set the z step of the passes to 0, or write a LightBurn project."),
+        (
+            plan.summary.waits > 0,
+            "have no waits: give near cuts a charge in the machine's levers.heat, or write G-code.",
+        ),
+        (pauses, "have no pauses in sharp corners: switch them off in the machine, or write G-code."),
+        (
+            plan.moves.iter().any(Move::cuts_ahead),
+            "have no cuts ahead of a pre-cut: set the machine's pre_cut_length to 0, or write G-code.",
+        ),
+        (
+            evades,
+            "move the head straight and never lift it: switch off the machine's lift and its ways around pieces that may tip, or write G-code.",
+        ),
+    ];
+    match refused.into_iter().find(|r| r.0) {
+        None => Ok(()),
+        Some((_, why)) => Err(OutputError::Format(format!("Ruida files of Kerfway {why}"))),
+    }
 }
 
 fn small(n: usize) -> u8 {
