@@ -2,7 +2,9 @@
 //!
 //! A polygon has its corners. A circle or an ellipse has its centre and eight points that divide its rim into equal
 //! lengths ("9 points"). An arc below 45 degrees has its two ends, its middle and its centre ("four points"). The paper says
-//! nothing about longer arcs in a contour; all of those in its table 4 have their middle, so they have it here.
+//! nothing about longer arcs in a contour; all of those in its table 4 have their middle, so they have it here. It numbers a
+//! centre that two contours share only once; here each round contour has its own (the ellipse L34 of table 4 has 9 points here
+//! and 8 in print).
 //!
 //! A cut cannot start at a centre. Therefore these points make a problem for measuring air moves by the paper's rule, and
 //! never a plan: the nodes of every other problem lie on the contour.

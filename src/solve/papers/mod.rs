@@ -35,15 +35,19 @@ mod unvisited;
 pub use dual::DualCodingGa;
 pub use feature_points::{feature_points, with_feature_points};
 pub use hull::{
-    Encoding, HullPso, HullSettings, MeanReward, Ofa, OperatorRates, ReversedRun, Rlsga, Sga, Woa,
+    Encoding, HullPso, HullSettings, MeanReward, NextAction, Ofa, OperatorRates, ReversedRun, Rlsga, Sga, Woa,
 };
 pub use keys::Decode;
 pub use legs::{Legs, Measure};
 pub use repair::Repair;
 pub use swarm::{
-    AcoPso, Draws, Flights, Initial, KPso, Kappa, Lpspso, Pso, Stagnation, SwarmSettings, Weights,
+    AcoPso, Draws, Flights, Initial, KPso, Kappa, Lpspso, Pso, Regret, Shortest, Stagnation, Step4,
+    SwarmSettings, Weights,
 };
-pub use tree::{GtspLk, InitialPartitions, InitialTours, PartitionTree, Pfr, RepartitionMoves};
+pub use tree::{
+    FinalEntries, GtspLk, InitialPartitions, InitialTours, PartitionTree, Pfr, Reattach, RepartitionMoves,
+    TourRepair,
+};
 
 use super::{Solver, SolverInfo};
 use crate::fields::{Fault, FieldError};

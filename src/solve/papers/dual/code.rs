@@ -125,7 +125,8 @@ pub(super) fn blend(x: u32, y: u32, epsilon: f64) -> (u32, u32) {
     (mix(x, y) as u32, mix(y, x) as u32)
 }
 
-/// Mutates a code by one of the three methods of the paper, drawn at random.
+/// Mutates a code by one of the three methods of the paper, drawn at random. The two places that are exchanged may be the same;
+/// then nothing changes.
 pub(super) fn mutate(problem: &Problem, code: &mut Code, rng: &mut Rng) {
     let method = rng.below(3);
     let places = code.order.len();
@@ -151,6 +152,8 @@ pub(super) fn swap(code: &mut Code, [a, b]: [usize; 2]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solve::papers::test_sheet::sheet;
+    use crate::solve::rng::seeded;
 
     /// As printed in the paper: contours and points are counted from 1.
     fn code(order: [u32; 5], points: [u32; 5]) -> Code {
@@ -182,6 +185,21 @@ mod tests {
         let [mut a, _] = parents();
         swap(&mut a, [0, 2]);
         assert_eq!(a, code([2, 4, 1, 5, 3], [3, 1, 6, 2, 4]));
+    }
+
+    #[test]
+    fn a_mutated_starting_point_is_another_one_of_its_contour() {
+        let problem = sheet(&[&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]], None, "length");
+        let drawn = (0..300).map(|seed| {
+            let mut code = Code { order: vec![0], points: vec![1] };
+            mutate(&problem, &mut code, &mut seeded(seed));
+            code.points[0]
+        });
+        let mut drawn: Vec<u32> = drawn.collect();
+        drawn.sort_unstable();
+        // The point stays where only the order mutates: in a third of the cases. Both others are as likely as that.
+        let count = |point| drawn.iter().filter(|p| **p == point).count();
+        assert!([0, 1, 2].into_iter().all(|point| (70..130).contains(&count(point))), "{drawn:?}");
     }
 
     #[test]

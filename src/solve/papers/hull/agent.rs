@@ -6,8 +6,9 @@
 //! 1/mm.
 //!
 //! The reward is (7) to (10). Eq. (9) compares the mean with the *best* of the previous generation, the sentence above it
-//! with its mean; `mean_reward` says which is followed, by default the sentence. The update is (11), with the action that is
-//! chosen next. The table starts at zero. Ties between actions are broken at random.
+//! with its mean; `mean_reward` says which is followed, by default the sentence. The update is (11). It is printed with
+//! the action of the next state and without a maximum, while the text calls it Q-learning, which takes the best action;
+//! `next_action` says which is followed, by default the print. The table starts at zero. Ties between actions are broken at random.
 
 use crate::geometry::math;
 use crate::order::{real, sort_by};
@@ -86,6 +87,17 @@ pub enum MeanReward {
     Printed,
 }
 
+/// Whose value the update (11) takes in the next state.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum NextAction {
+    /// The action that is chosen next, as (11) is printed.
+    #[default]
+    Chosen,
+    /// The best action, as Q-learning has it, which the text of section 4.5 names.
+    Best,
+}
+
 /// Parameters of the learning.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Learning {
@@ -97,6 +109,8 @@ pub(super) struct Learning {
     pub(super) epsilon: f64,
     /// With what eq. (9) compares the mean.
     pub(super) mean_reward: MeanReward,
+    /// Whose value (11) takes in the next state.
+    pub(super) next_action: NextAction,
 }
 
 /// The Q-table, and the current state and action.
@@ -146,8 +160,12 @@ impl Agent {
         let mean_reward = self.learning.map_or(MeanReward::Sentence, |l| l.mean_reward);
         self.reward = reward((&self.statistics, self.diversity), (&statistics, diversity), mean_reward);
         self.begin(statistics, diversity, rng);
-        if let Some(Learning { alpha, gamma, .. }) = self.learning {
-            let next = self.table[self.state][self.action];
+        if let Some(Learning { alpha, gamma, next_action, .. }) = self.learning {
+            let row = self.table[self.state];
+            let next = match next_action {
+                NextAction::Chosen => row[self.action],
+                NextAction::Best => row.into_iter().fold(f64::NEG_INFINITY, f64::max),
+            };
             let q = &mut self.table[was.0][was.1];
             *q = update(*q, self.reward, next, alpha, gamma);
         }
@@ -173,6 +191,15 @@ fn update(q: f64, reward: f64, next: f64, alpha: f64, gamma: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::solve::rng::seeded;
+
+    /// The parameters of the paper.
+    const LEARNING: Learning = Learning {
+        alpha: 0.9,
+        gamma: 0.9,
+        epsilon: 0.1,
+        mean_reward: MeanReward::Sentence,
+        next_action: NextAction::Chosen,
+    };
 
     fn close(a: f64, b: f64) {
         assert!((a - b).abs() < 1e-12, "{a} {b}");
@@ -221,7 +248,7 @@ mod tests {
     #[test]
     fn the_update_by_hand_and_in_its_place() {
         close(update(2.0, 1.5, 3.0, 0.9, 0.9), 0.2 + 0.9 * (1.5 + 2.7));
-        let learning = Learning { alpha: 0.9, gamma: 0.9, epsilon: 0.0, mean_reward: MeanReward::Sentence };
+        let learning = Learning { epsilon: 0.0, ..LEARNING };
         let mut agent = Agent::new(Some(learning));
         let mut rng = seeded(1);
         agent.table = [[0.0, 5.0, 0.0], [1.0, 2.0, 4.0], [7.0, 0.0, 0.0]];
@@ -235,6 +262,27 @@ mod tests {
     }
 
     #[test]
+    fn the_update_takes_the_action_chosen_next_or_the_best_one() {
+        let updated = |next_action, seed| {
+            let learning = Learning { epsilon: 1.0, next_action, ..LEARNING };
+            let (mut agent, mut rng) = (Agent::new(Some(learning)), seeded(seed));
+            agent.table = [[0.0, 5.0, 0.0], [1.0, 2.0, 4.0], [7.0, 0.0, 0.0]];
+            let statistics = Statistics { best: 0.5, mean: 0.25, ..Statistics::default() };
+            (agent.statistics, agent.diversity, agent.state, agent.action) = (statistics, 0.1, 0, 1);
+            agent.learn(Statistics { best: 0.6, mean: 0.3, ..statistics }, 0.4, &mut rng);
+            (agent.action, agent.table[0][1])
+        };
+        let mut seen = [0; 3];
+        for seed in 0..40 {
+            let (action, chosen) = updated(NextAction::Chosen, seed);
+            close(chosen, 0.5 + 0.9 * (2.8 + 0.9 * [1.0, 2.0, 4.0][action]));
+            close(updated(NextAction::Best, seed).1, 0.5 + 0.9 * (2.8 + 3.6));
+            seen[action] += 1;
+        }
+        assert!(seen.iter().all(|n| *n > 5), "{seen:?}");
+    }
+
+    #[test]
     fn a_table_decides_but_for_epsilon_and_without_learning_nothing_does() {
         let chosen = |learning: Option<Learning>, best: usize| {
             let (mut agent, mut rng) = (Agent::new(learning), seeded(7));
@@ -244,7 +292,7 @@ mod tests {
             }
             agent.chosen
         };
-        let learning = Learning { alpha: 0.9, gamma: 0.9, epsilon: 0.1, mean_reward: MeanReward::Sentence };
+        let learning = LEARNING;
         for best in 0..3 {
             // The expected fraction is 0.9 + 0.1 / 3.
             assert!((2750..2850).contains(&chosen(Some(learning), best)[best]), "{best}");

@@ -1,7 +1,7 @@
 //! The chromosome, eq. (3): M paths, one for each contour, which together contain all N segments with their cutting
 //! directions. The paths one after the other give the cutting order. A path has as many places as its contour has segments,
 //! but may contain segments of other contours. A migration makes it longer or shorter; the next crossover restores its
-//! length.
+//! length as far as there are blanks.
 
 use super::model::{Gene, Model};
 use crate::solve::rng::{Draw, Rng};
@@ -33,7 +33,7 @@ impl Chromosome {
         start as usize..self.ends[m] as usize
     }
 
-    /// The paper's mutation: two genes of a path exchange their places.
+    /// The paper's mutation: two genes of a path exchange their places. Both places may be the same; then nothing changes.
     pub(super) fn mutate(&mut self, rng: &mut Rng) {
         let path = self.path(rng.below(self.ends.len()));
         if !path.is_empty() {

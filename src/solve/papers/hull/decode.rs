@@ -44,7 +44,7 @@ impl<'p> Decoder<'p> {
         Self { model: Model::new(Legs::new(problem, measure), whole), ordered }
     }
 
-    /// TL of a chromosome, and the visits that it is the length of: its own, or those of the repaired path.
+    /// TL of a chromosome, and the visits whose length it is: its own, or those of the repaired path.
     pub(super) fn price(&self, genes: &[Gene]) -> (f64, Vec<Visit>) {
         let visits = self.model.visits(genes);
         let visits = if self.ordered.is_some() { self.path(visits) } else { visits };

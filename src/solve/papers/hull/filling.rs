@@ -1,8 +1,9 @@
 //! The last step of a crossover, (d): blanks are filled.
 //!
-//! "First with appropriate empty slots": a segment is appropriate for a blank if it continues from the gene before the
-//! blank, or leads to the gene after it, without an air move. "Then in a random order according to the principle of minimal
-//! increments": each remaining segment is put, in the direction and at the blank, where it adds the least travel. Adjacent
+//! "All the segments not on the chromosome are first filled with appropriate empty slots. Then, the remaining empty slots are
+//! filled with the remaining segments in a random order according to the principle of minimal increments" (section 4.3). A
+//! segment is appropriate for a blank if it continues from the gene before the blank, or leads to the gene after it, without
+//! an air move. Each remaining segment is put, in the direction and at the blank, where it adds the least travel. Adjacent
 //! blanks add the same, so only the first of them is considered. The neighbours of a blank are the nearest genes that are
 //! not blank.
 

@@ -11,9 +11,14 @@
 //!    5.2).
 //! 5. `decode.rs`, `nested.rs`, `holes.rs`: from a chromosome to a plan.
 //!
-//! Readings and deviations, each a parameter: eq. (6) uses scaled fitness (`scaled_fitness`); eq. (9) follows its sentence
-//! (`mean_reward`); RSX turns the cutting directions of a run (`reversed_run`); the comparators have random keys
-//! (`encoding`). Where a sheet has holes or ranks, which the paper has not, the fitness is that of the repaired path.
+//! Readings and deviations that are parameters: eq. (6) uses scaled fitness (`scaled_fitness`); eq. (9) follows its sentence
+//! (`mean_reward`); eq. (11) takes the action chosen next (`next_action`); RSX turns the cutting directions of a run
+//! (`reversed_run`); the comparators have random keys (`encoding`).
+//!
+//! Those that are none: segments lie between the nodes of the sheet, which has places between the corners of a long side,
+//! while the paper's lie between corners; the paths of the first population hold the segments of their own contours; the two
+//! places of a mutation may be the same, and then nothing changes; and where a sheet has holes or ranks, which the paper does
+//! not have, the fitness is that of the repaired path.
 
 mod agent;
 mod chromosome;
@@ -34,7 +39,7 @@ mod settings;
 #[cfg(test)]
 mod tests;
 
-pub use agent::MeanReward;
+pub use agent::{MeanReward, NextAction};
 pub use crossover::ReversedRun;
 pub use key_methods::{HullPso, Ofa, Woa};
 pub use rlsga::{Rlsga, Sga};

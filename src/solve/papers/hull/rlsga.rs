@@ -1,6 +1,6 @@
 //! The methods `rlsga` and `sga` and their parameters.
 
-use super::agent::{Learning, MeanReward};
+use super::agent::{Learning, MeanReward, NextAction};
 use super::crossover::ReversedRun;
 use super::decode::Decoder;
 use super::genetic::{Breeding, Genetic};
@@ -34,6 +34,8 @@ pub struct Rlsga {
     pub scaled_fitness: bool,
     /// With what eq. (9) compares the mean fitness of a generation.
     pub mean_reward: MeanReward,
+    /// Whose value eq. (11) takes in the next state.
+    pub next_action: NextAction,
     /// What RSX reverses; the paper does not say whether the cutting directions turn.
     pub reversed_run: ReversedRun,
 }
@@ -48,6 +50,7 @@ impl Default for Rlsga {
             epsilon: 0.1,
             scaled_fitness: true,
             mean_reward: MeanReward::Sentence,
+            next_action: NextAction::Chosen,
             reversed_run: ReversedRun::Turned,
         }
     }
@@ -64,8 +67,8 @@ impl Solver for Rlsga {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        let Self { alpha, gamma, epsilon, mean_reward, reversed_run, .. } = *self;
-        let learning = Learning { alpha, gamma, epsilon, mean_reward };
+        let Self { alpha, gamma, epsilon, mean_reward, next_action, reversed_run, .. } = *self;
+        let learning = Learning { alpha, gamma, epsilon, mean_reward, next_action };
         let breeding = Breeding { rates: self.rates, scaled_fitness: self.scaled_fitness, reversed_run };
         let decoder = Decoder::new(problem, self.settings.measure);
         Box::new(PiecewiseSearch(Genetic::new(decoder, self.settings, breeding, Some(learning), seed)))

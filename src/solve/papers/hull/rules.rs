@@ -11,11 +11,11 @@ use std::f64::consts::TAU;
 /// A rule by which members move.
 pub(super) trait MoveRule {
     /// Prepares a generation.
-    fn begin(&mut self, _flock: &Members) {}
+    fn begin(&mut self, _members: &Members) {}
     /// The keys that a member may move to. `done` is the fraction of the generations that are done.
     fn trial(&mut self, members: &Members, member: usize, done: f64, rng: &mut Rng) -> Vec<f32>;
     /// Whether the member moves there, given its lengths before and after. Generations are counted from 1.
-    fn accepts(&mut self, _before: f64, _after: f64, _generation: f64, _dice: &mut Rng) -> bool {
+    fn accepts(&mut self, _before: f64, _after: f64, _generation: f64, _rng: &mut Rng) -> bool {
         true
     }
 }

@@ -14,7 +14,8 @@ mod settings;
 
 pub use aco_pso::AcoPso;
 pub use k_pso::KPso;
-pub use lpspso::{Flights, Kappa, Lpspso, Stagnation};
-pub use proximity::Initial;
+pub use lpspso::{Flights, Kappa, Lpspso, Stagnation, Step4};
+pub use prospect::Regret;
+pub use proximity::{Initial, Shortest};
 pub use pso::Pso;
 pub use settings::{Draws, SwarmSettings, Weights};

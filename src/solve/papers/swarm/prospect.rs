@@ -4,14 +4,27 @@
 //! The paper does not define its attributes, probabilities and reference. Here an outcome is the length of a path, all
 //! outcomes of the swarm are equally probable, the reference E is the mean of the swarm in this iteration, and shorter is a
 //! gain. A length is an interval of width 0, so the distance (4) is the difference. A path has either a V+ (8) or a V- (9)
-//! that is not 0. Equations (11) and (12) both print V+, which would make all losses equal; here each path's own value is
-//! used.
+//! that is not 0. Equations (11) and (12) both print V+, which makes all losses equal: a particle whose best path is longer than
+//! the mean would never replace it by another such path. By default each path's own value is used; the parameter `regret`
+//! takes V+ as printed.
 //!
-//! Within one swarm a shorter path never has a smaller value, so comparing by Z gives the same result as comparing by
-//! length. The value is only a number to look at. With a regret avoidance near 0.04 it has the range of the values that the
+//! With its own value a shorter path always has a larger Z within one swarm, so comparing by Z gives the same result as
+//! comparing by length, and the value is only a number to look at. With a regret avoidance near 0.04 it has the range of the values that the
 //! paper prints (table 3, CPRV, -0.041 to 0.035); the single values are not reproduced.
 
 use crate::geometry::math;
+use serde::{Deserialize, Serialize};
+
+/// Whose value (11) and (12) take.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Regret {
+    /// Each path's own: V+ of a gain, V- of a loss.
+    #[default]
+    Own,
+    /// V+ alone, as both are printed. It is 0 for all losses.
+    Printed,
+}
 
 /// The coefficients of the value.
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +38,7 @@ pub(super) struct Prospect {
     pub(super) phi: f64,
     /// Regret avoidance, eqs (11) and (12).
     pub(super) avoidance: f64,
+    pub(super) regret: Regret,
 }
 
 /// The outcomes of an iteration, with which a length is rated.
@@ -77,7 +91,8 @@ impl Outcomes {
         if span <= 0.0 {
             return 0.0;
         }
-        let value = self.prospect(length);
+        let own = self.prospect(length);
+        let value = if self.by.regret == Regret::Printed { own.max(0.0) } else { own };
         let regret = 1.0 - math::exp(-self.by.avoidance * ((value - self.least) / span).abs());
         let joy = 1.0 - math::exp(self.by.avoidance * ((value - self.most) / span).abs());
         regret + joy
@@ -85,12 +100,19 @@ impl Outcomes {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+mod tests {
     use super::*;
     use crate::solve::rng::{Draw, seeded};
 
-    pub(in super::super) const PRINTED: Prospect =
-        Prospect { alpha: 0.85, beta: 0.85, gamma: 2.25, delta: 0.61, phi: 0.69, avoidance: 0.69 };
+    const PRINTED: Prospect = Prospect {
+        alpha: 0.85,
+        beta: 0.85,
+        gamma: 2.25,
+        delta: 0.61,
+        phi: 0.69,
+        avoidance: 0.69,
+        regret: Regret::Own,
+    };
 
     #[test]
     fn weights_of_equations_6_and_7() {
@@ -115,7 +137,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn a_shorter_path_never_has_a_smaller_value() {
+    fn a_shorter_path_has_a_larger_value() {
         let mut rng = seeded(7);
         for _ in 0..200 {
             let mut draw = |n: usize| (0..n).map(|_| 1000.0 * rng.uniform()).collect::<Vec<f64>>();
@@ -124,10 +146,25 @@ pub(super) mod tests {
             let mut all: Vec<f64> = now.into_iter().chain(kept).collect();
             all.sort_by(f64::total_cmp);
             for pair in all.windows(2) {
-                assert!(outcomes.value(pair[0]) >= outcomes.value(pair[1]), "{pair:?}");
+                // Strictly, so that comparing by Z is comparing by length.
+                let same = pair[0].to_bits() == pair[1].to_bits();
+                assert!(same || outcomes.value(pair[0]) > outcomes.value(pair[1]), "{pair:?}");
             }
         }
         let same = Outcomes::new(PRINTED, &[5.0; 4], &[]);
         assert!(same.value(5.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn with_v_plus_alone_as_printed_all_losses_are_alike() {
+        // The mean is 100, so 110 and 130 are losses.
+        let values = |regret| {
+            let outcomes = Outcomes::new(Prospect { regret, ..PRINTED }, &[60.0, 110.0, 130.0], &[]);
+            [60.0, 110.0, 130.0].map(|length| outcomes.value(length))
+        };
+        let [gain, one, other] = values(Regret::Printed);
+        assert!(gain > one && (one - other).abs() < 1e-15, "{gain} {one} {other}");
+        let [gain, one, other] = values(Regret::Own);
+        assert!(gain > one && one > other, "{gain} {one} {other}");
     }
 }

@@ -1,5 +1,6 @@
 //! The improved proximity method, Qu & Du section II.B: a nearest-neighbour tour from every feature point. The shortest
-//! path is kept, including the distance d0 from the origin (eq. (3)).
+//! path is kept. Its length G has the distance d0 from the origin (eq. (3)); step 5 compares the sums D between contours (eq.
+//! (2)), and `shortest` says which of them counts.
 //!
 //! Steps 1 to 3 are [`NearestNeighbour`]; steps 4 and 5 are here. After a fixed start, each feature point comes second in
 //! one path; the paper's only path is among them. A cycle given by a table is rotated to start at the item that it names.
@@ -26,11 +27,23 @@ pub enum Initial {
     Proximity,
 }
 
+/// What step 5 compares. From a fixed start both are the same where the path does not return.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Shortest {
+    /// The whole path, with d0: G of eq. (3), and the way back if the machine returns home.
+    #[default]
+    Whole,
+    /// The sum between contours: D of eq. (2), as step 5 is printed.
+    Between,
+}
+
 /// Gives the particles of a swarm their first positions.
 pub(super) struct Initialisation {
     initial: Initial,
     /// Largest number of steps of all tours of the proximity method.
     most: u64,
+    shortest: Shortest,
     proximity: Option<Proximity>,
     /// Number of particles that have their keys.
     done: usize,
@@ -38,8 +51,8 @@ pub(super) struct Initialisation {
 
 impl Initialisation {
     /// No particle has its keys yet.
-    pub(super) fn new(initial: Initial, most: u64) -> Self {
-        Self { initial, most, proximity: None, done: 0 }
+    pub(super) fn new(initial: Initial, most: u64, shortest: Shortest) -> Self {
+        Self { initial, most, shortest, proximity: None, done: 0 }
     }
 
     /// Does the next piece and returns its cost, or `None` when every particle has its keys.
@@ -56,7 +69,8 @@ impl Initialisation {
             return Some(cost);
         }
         let (legs, keys) = (&swarm.evaluator.space.legs, &swarm.evaluator.keys);
-        let proximity = self.proximity.get_or_insert_with(|| Proximity::new(legs, keys, count, self.most));
+        let proximity =
+            self.proximity.get_or_insert_with(|| Proximity::new(legs, keys, count, self.most, self.shortest));
         if let Some(priced) = proximity.piece(legs, keys, &swarm.all) {
             if let Some(path) = proximity.shorter() {
                 swarm.found = Some(path);
@@ -76,7 +90,8 @@ pub(super) struct Proximity {
     /// Feature points at which tours are still to be started; the last is next.
     starts: Vec<NodeId>,
     walk: Option<NearestNeighbour>,
-    /// The paths found with their lengths, the shortest first. Equal lengths stay in the order of their starting points.
+    shortest: Shortest,
+    /// The paths found with their lengths, by [`Shortest`], the shortest first. Equal lengths stay in the order of their starting points.
     pub(super) paths: Vec<(f64, Vec<NodeId>)>,
     keep: usize,
     /// Whether the shortest path is new.
@@ -86,7 +101,7 @@ pub(super) struct Proximity {
 impl Proximity {
     /// `keep` is the number of paths to keep, `most` the largest number of steps of all tours together. If there are more
     /// feature points than that allows, evenly spaced ones are used, at least `keep` of them.
-    pub(super) fn new(legs: &Legs, keys: &Keys, keep: usize, most: u64) -> Self {
+    pub(super) fn new(legs: &Legs, keys: &Keys, keep: usize, most: u64, shortest: Shortest) -> Self {
         let problem = legs.problem();
         let fixed = keys.pinned.map(|n| problem.nodes[n as usize].item);
         let points = (0..).zip(&problem.nodes).filter(|(_, n)| Some(n.item) != fixed).map(|(n, _)| n);
@@ -97,7 +112,7 @@ impl Proximity {
         if points.is_empty() {
             starts.extend(keys.pinned);
         }
-        Self { starts, walk: None, paths: Vec::new(), keep, fresh: false }
+        Self { starts, walk: None, shortest, paths: Vec::new(), keep, fresh: false }
     }
 
     /// The shortest path so far, if it was not returned before.
@@ -126,7 +141,9 @@ impl Proximity {
         if let Some(at) = path.iter().position(|&n| Some(problem.nodes[n as usize].item) == problem.start()) {
             path.rotate_left(at);
         }
-        let (length, cost) = (legs.tour_length(&path), path.len() as u64);
+        let between = || path.array_windows().map(|[a, b]| legs.leg(*a, *b)).sum();
+        let length = if self.shortest == Shortest::Between { between() } else { legs.tour_length(&path) };
+        let cost = path.len() as u64;
         let place = self.paths.partition_point(|p| p.0 <= length);
         self.fresh |= place == 0;
         self.paths.insert(place, (length, path));
@@ -190,8 +207,17 @@ mod tests {
     }
 
     fn paths(problem: &Problem, first: Option<NodeId>, most: u64) -> Vec<(f64, Vec<NodeId>)> {
+        paths_by(Shortest::Whole, problem, first, most)
+    }
+
+    fn paths_by(
+        shortest: Shortest,
+        problem: &Problem,
+        first: Option<NodeId>,
+        most: u64,
+    ) -> Vec<(f64, Vec<NodeId>)> {
         let (legs, keys) = (Legs::new(problem, Measure::Euclidean), Keys::new(problem, first, Decode::Keys));
-        let mut proximity = Proximity::new(&legs, &keys, 3, most);
+        let mut proximity = Proximity::new(&legs, &keys, 3, most, shortest);
         let all = Unvisited::all(problem);
         while proximity.piece(&legs, &keys, &all).is_some() {}
         proximity.paths
@@ -209,6 +235,10 @@ mod tests {
         assert_eq!(free[0].1, [5, 2, 7, 19, 26, 34, 21]);
         assert!((free[0].0 - 682.285_405_481_085).abs() < 1e-9);
         assert_eq!(free[1], fixed[0]);
+        // Without d0, as step 5 is printed, another path is the shortest, by brute force.
+        let between = paths_by(Shortest::Between, &problem, None, u64::MAX);
+        assert_eq!(between[0].1, [21, 31, 39, 10, 17, 2, 5]);
+        assert!((between[0].0 - 550.289_184_293).abs() < 1e-8);
         // Even with no steps to spare, as many tours are constructed as paths are kept.
         assert_eq!(paths(&problem, None, 0).len(), 3);
     }
@@ -219,7 +249,7 @@ mod tests {
         let settings = SwarmSettings { particles: 3, ..SwarmSettings::with(0.2, Draws::Key) };
         let first = |initial| {
             let mut swarm = Swarm::new(&problem, 1, &settings);
-            let mut initialisation = Initialisation::new(initial, PROXIMITY_STEPS);
+            let mut initialisation = Initialisation::new(initial, PROXIMITY_STEPS, Shortest::Whole);
             while initialisation.piece(&mut swarm).is_some() {}
             let Swarm { evaluator, particles, .. } = &swarm;
             let tour = |keys: &[f64]| evaluator.keys.tour(&evaluator.space.legs, keys);

@@ -3,7 +3,7 @@
 //! of the constricted swarm (Clerc & Kennedy, IEEE Transactions on Evolutionary Computation 6, 2002).
 
 use super::particles::Swarm;
-use super::proximity::{Initial, Initialisation, PROXIMITY_STEPS};
+use super::proximity::{Initial, Initialisation, PROXIMITY_STEPS, Shortest};
 use super::run::{Guide, Run};
 use super::settings::{Draws, SwarmSettings, Weights};
 use crate::problem::Problem;
@@ -63,7 +63,7 @@ pub(super) struct StandardGuide {
 impl StandardGuide {
     /// A swarm that is not initialised yet.
     pub(super) fn new(weights: Weights, draws: Draws, initial: Initial) -> Self {
-        let initialisation = Initialisation::new(initial, PROXIMITY_STEPS);
+        let initialisation = Initialisation::new(initial, PROXIMITY_STEPS, Shortest::Whole);
         Self { weights, draws, initialisation, drawn: (0.0, 0.0, None) }
     }
 }

@@ -31,7 +31,7 @@ pub(super) trait Guide {
         false
     }
     /// Prepares the moves of a round; `None` when everything is prepared.
-    fn prepare_round(&mut self, _flock: &mut Swarm) -> Option<u64> {
+    fn prepare_round(&mut self, _swarm: &mut Swarm) -> Option<u64> {
         None
     }
     /// Moves some keys of a particle.

@@ -3,7 +3,7 @@
 use super::forest::Forest;
 use super::graph::Graph;
 use super::visits::keeps_precedence;
-use crate::problem::NodeId;
+use crate::problem::{ItemId, NodeId};
 use crate::solve::epsilon::EPSILON;
 use glam::DVec2;
 
@@ -63,17 +63,24 @@ pub(super) fn cheapest(
     (cost, nodes)
 }
 
-/// Chooses the entries of a route. If `keep` is set, only precedence-keeping ones: where several partitions are attached to
+/// Chooses the entries of a route, or those of the contours in `only`. If `keep` is set, only precedence-keeping ones: where several partitions are attached to
 /// a contour, another entry changes the order in which they are cut. Returns whether seconds were saved, and the work in
 /// moves.
-pub(super) fn improve(g: &Graph, forest: &mut Forest, route: u32, keep: bool) -> (bool, u64) {
+pub(super) fn improve(
+    g: &Graph,
+    forest: &mut Forest,
+    route: u32,
+    keep: bool,
+    only: Option<&[ItemId]>,
+) -> (bool, u64) {
+    let stays = |item: ItemId| only.is_some_and(|only| !only.contains(&item));
     let mut work = 1;
     // First all entries may change; if that violates precedence, contours with several partitions keep theirs.
     for frozen in [false, true].into_iter().take(1 + usize::from(keep)) {
         let layers: Vec<Vec<NodeId>> = forest
             .items(route)
             .iter()
-            .map(|&i| match frozen && forest.children(i) > 1 {
+            .map(|&i| match stays(i) || frozen && forest.children(i) > 1 {
                 true => vec![forest.entry(i)],
                 false => g.nodes(i).filter(|&n| forest.may_enter(g, n)).collect(),
             })

@@ -7,7 +7,7 @@ use super::entries;
 use super::forest::{Forest, ROOT};
 use super::graph::Graph;
 use super::gtsp::Gtsp;
-use super::parameters::{InitialPartitions, InitialTours, PartitionTree};
+use super::parameters::{FinalEntries, InitialPartitions, InitialTours, PartitionTree};
 use super::pfr::Pfr;
 use super::repair::repair;
 use super::repartition;
@@ -37,6 +37,8 @@ pub(super) struct Framework<'p> {
     idle: u32,
     /// The best result of a round, which ignores precedence, and its seconds.
     best: Option<(f64, Forest)>,
+    /// Contours that the repair moved.
+    moved: Vec<ItemId>,
     /// Seconds of the final path, before and after its entries were improved.
     repaired: Option<f64>,
     ended: Option<f64>,
@@ -61,6 +63,7 @@ impl<'p> Framework<'p> {
             round: 0,
             idle: 0,
             best: None,
+            moved: Vec::new(),
             repaired: None,
             ended: None,
             work: [0; STEPS.len()],
@@ -268,7 +271,8 @@ impl Piecewise for Framework<'_> {
                     (1, Stage::Repartition { next: (next + 1) % count, idle: idle + 1, then })
                 } else {
                     let item = ItemId::try_from(next).unwrap_or(ItemId::MAX);
-                    let (sets, keep) = (self.parameters.repartition, then != After::Round);
+                    let sets = (self.parameters.repartition, self.parameters.reattach);
+                    let keep = then != After::Round;
                     let (gained, priced) = repartition::improve(&self.g, &mut self.forest, item, sets, keep);
                     let idle = if gained { 0 } else { idle + 1 };
                     let next = if gained { next } else { (next + 1) % count };
@@ -289,14 +293,17 @@ impl Piecewise for Framework<'_> {
                 if let Some((_, best)) = &self.best {
                     self.forest.clone_from(best);
                 }
-                let (_, work) = repair(&self.g, &mut self.forest);
+                let (moved, work) = repair(&self.g, &mut self.forest);
+                self.moved = moved;
                 self.repaired = Some(self.forest.seconds(&self.g));
                 self.take();
                 (work, self.entries(After::Final))
             }
             Stage::Entries { mut routes, then } => match routes.pop() {
                 Some(route) => {
-                    let (_, work) = entries::improve(&self.g, &mut self.forest, route, true);
+                    let only_moved = then == After::Final && self.parameters.entries == FinalEntries::Moved;
+                    let only = only_moved.then_some(self.moved.as_slice());
+                    let (_, work) = entries::improve(&self.g, &mut self.forest, route, true, only);
                     (work, Stage::Entries { routes, then })
                 }
                 None => (1, Self::repartition(then)),

@@ -3,7 +3,7 @@
 use super::element_ends::AtElementEnds;
 use super::framework::Framework;
 use super::graph::Graph;
-use super::parameters::{PartitionTree, TreeNodes};
+use super::parameters::{PartitionTree, TourRepair, TreeNodes};
 use super::single::Single;
 use crate::problem::Problem;
 use crate::solve::papers::piecewise::PiecewiseSearch;
@@ -47,7 +47,7 @@ impl PartitionTree {
         if Graph::is_one_tree(problem) {
             Box::new(PiecewiseSearch(Framework::new(problem, *self, seed)))
         } else {
-            Box::new(PiecewiseSearch(Single::new(problem, seed, self.gtsp_moves)))
+            Box::new(PiecewiseSearch(Single::new(problem, seed, self.gtsp_moves, GtspLk::default().repair)))
         }
     }
 }
@@ -81,7 +81,7 @@ impl Solver for Pfr {
             if Graph::is_one_tree(p) {
                 Box::new(PiecewiseSearch(Framework::construction(p)))
             } else {
-                Box::new(PiecewiseSearch(Single::new(p, seed, 0)))
+                Box::new(PiecewiseSearch(Single::new(p, seed, 0, GtspLk::default().repair)))
             }
         })
     }
@@ -94,12 +94,14 @@ pub struct GtspLk {
     pub nodes: TreeNodes,
     /// Number of moves of the search for each contour.
     pub gtsp_moves: u64,
+    /// How the tour is repaired.
+    pub repair: TourRepair,
 }
 
 impl Default for GtspLk {
     fn default() -> Self {
         let PartitionTree { nodes, gtsp_moves, .. } = PartitionTree::default();
-        Self { nodes, gtsp_moves }
+        Self { nodes, gtsp_moves, repair: TourRepair::InnerForward }
     }
 }
 
@@ -108,13 +110,15 @@ impl Solver for GtspLk {
         SolverInfo {
             name: "gtsp-lk",
             title: "GTSP tour",
-            about: "A tour over all contours, each cut in one go, found without precedence and then repaired: what CAM \
-                    programs make at best.",
+            about: "A tour over all contours, each cut in one go, found without precedence and then repaired: the kind \
+                    of path that CAM programs make.",
             source: Some(SOURCE),
         }
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        on(self.nodes, problem, |p| Box::new(PiecewiseSearch(Single::new(p, seed, self.gtsp_moves))))
+        on(self.nodes, problem, |p| {
+            Box::new(PiecewiseSearch(Single::new(p, seed, self.gtsp_moves, self.repair)))
+        })
     }
 }

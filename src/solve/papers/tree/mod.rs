@@ -4,8 +4,8 @@
 //! Contours are divided into **partitions**. Each partition is a route that is attached to a node of a contour in its
 //! parent partition. That contour is left at the node, with a pre-cut, and resumed after the route. The root is attached to
 //! home. So a path consists of a partitioning, a rooted directed spanning tree between partitions, and a generalized
-//! travelling salesman tour (GTSP) within each. The method minimises the seconds of air moves, pre-cuts and entries;
-//! piercing and cutting times are the same for every path.
+//! travelling salesman tour (GTSP) within each. The method minimises the seconds of air moves, pre-cuts, entries and pauses in
+//! sharp corners; piercing and cutting times are the same for every path.
 //!
 //! The steps of section 4 and their files:
 //! 1. (a) Initial partitions: the construction heuristic `pfr.rs`, or one partition, or one for each contour. (b) GTSP of
@@ -28,20 +28,33 @@
 //! * Moves and connections are searched among near nodes (`graph.rs`), not among all, and sub-sequences have at most 50
 //!   contours. The parameter `neighbourhood` lifts these limits.
 //! * When a partition is attached elsewhere, its ring may be opened elsewhere too, and a single contour may be entered
-//!   elsewhere. The paper does not exclude this.
+//!   elsewhere, also where it moves as a sub-sequence. The paper says "simply the reattachment". The parameter `reattach`
+//!   switches both off.
+//! * A merger of two or three contours is tried in every order with the best entries of each. The paper says only that it
+//!   is evaluated.
 //! * The paper describes PFr in four sentences; `pfr.rs` states how they were interpreted.
-//! * Contours are cut in their stored direction. With several partitions on one contour the direction may matter for
-//!   precedence (footnote 4); the moves that keep precedence check the whole path.
-//! * A contour that is moved by the repair leaves everything attached to it in its old place.
-//! * The best path is the best feasible one after the construction, step 1 and step 8. With PFr as the start it is never
-//!   worse than PFr. The value at the end is a separate curve.
-//! * Contours without pre-cuts (marks, open cuts, machines that do not leave contours) can be parents only next to their
-//!   entry. For ranks, groups, pairs and tables of costs see `single.rs`.
-//! * A pierce group with common cuts is entered by one of the paths that were found through it beforehand, and left at the
-//!   nodes that this path passes (section 4.7). A partition that hangs from a group stays at its node when the path changes.
-//!   Where the path makes an air move anyway, the partition bridges it, as in figure 8d.
+//! * The paper does not say in which direction a contour is cut, as that does not change the time (footnote 1). Here it is
+//!   the stored direction. With several partitions on one contour it can matter for precedence (footnote 4), and the moves
+//!   that keep precedence check the whole path.
+//! * Steps 7 and 8 begin from the best round, not from the last one.
+//! * The repair works on the path (section 4.6): "the entire contour is shifted". So what is attached to the contour keeps its
+//!   place in the path. Contours are repaired from the innermost outwards, not in the order of the path.
+//! * Step 8 chooses the entries of all contours; in the paper those of the contours that the repair moved, which the
+//!   parameter `entries` selects.
+//! * The best path is the best feasible one after the construction and after steps 1, 7 and 8. With PFr as the start it is
+//!   never worse than PFr. The value at the end is a separate curve.
+//! * Nothing can be attached to a contour that may not be left (marks, open cuts, machines that do not leave contours); where
+//!   the arborescence leads to one, the child goes next to it in its route. For ranks, groups, pairs and tables of costs see
+//!   `single.rs`.
+//! * The paths through a pierce group with common cuts are found beforehand: by default by exact and beam search, some of
+//!   them with air moves that contours beside the group bridge (figure 8b, which the authors tried and left out). The paper
+//!   uses its element insertion heuristic (section 4.7), which the option `common_cuts: insertion` of a job selects; it is
+//!   not a parameter of the method. A group is left at the nodes that its path passes, and a partition that hangs from it
+//!   stays at its node when the path changes. Where the path makes an air move anyway, the partition bridges it, as in
+//!   figure 8d.
 //!
-//! [`GtspLk`] is one partition alone, repaired in another way than the paper's (`single.rs`); [`Pfr`] is the construction.
+//! [`GtspLk`] is one partition alone, by default repaired in another way than the paper's (`single.rs`); [`Pfr`] is the
+//! construction.
 
 mod connect;
 mod drawn_partitions;
@@ -68,5 +81,5 @@ mod tests;
 mod visits;
 
 pub use methods::{GtspLk, Pfr};
-pub use parameters::{InitialPartitions, InitialTours, PartitionTree};
-pub use repartition::RepartitionMoves;
+pub use parameters::{FinalEntries, InitialPartitions, InitialTours, PartitionTree, TourRepair};
+pub use repartition::{Reattach, RepartitionMoves};

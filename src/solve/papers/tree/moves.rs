@@ -2,6 +2,7 @@
 
 use super::forest::{Forest, NONE};
 use super::graph::Graph;
+use super::repartition::Reattach;
 use crate::problem::NodeId;
 use std::ops::Range;
 
@@ -22,6 +23,8 @@ pub(super) enum TreeMove {
 /// Moves that save time, with the seconds they save; and the number of moves priced.
 #[derive(Default)]
 pub(super) struct GainfulMoves {
+    /// How contours are entered that a move attaches elsewhere.
+    pub(super) reattach: Reattach,
     pub(super) moves: Vec<(f64, TreeMove)>,
     pub(super) priced: u64,
 }

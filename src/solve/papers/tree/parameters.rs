@@ -1,8 +1,8 @@
-//! Parameters of the partition-tree framework. The defaults are those of the paper, except for `nodes` and
-//! `neighbourhood`.
+//! Parameters of the partition-tree framework. The defaults are those of the paper, except for `nodes`, `neighbourhood`,
+//! `reattach` and `entries`.
 
 use super::graph::Neighbourhood;
-use super::repartition::RepartitionMoves;
+use super::repartition::{Reattach, RepartitionMoves};
 use serde::{Deserialize, Serialize};
 
 /// The initial partitions (section 4.1, table 2).
@@ -39,6 +39,27 @@ pub enum TreeNodes {
     ElementEnds,
 }
 
+/// Whose entries are chosen again after the repair (section 4.6).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FinalEntries {
+    /// Those of all contours.
+    All,
+    /// Those of the contours that the repair moved, as in the paper.
+    Moved,
+}
+
+/// How a tour that breaks precedence is repaired.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum TourRepair {
+    /// Inner contours move to just before the contour around them, because CAM programs cut holes first.
+    InnerForward,
+    /// The outer contour moves to just after the last contour inside it, as in the paper (section 4.6). Problems with ranks,
+    /// groups, pairs or tables of costs, which the paper does not have, are repaired forwards all the same.
+    OuterBack,
+}
+
 /// The partition-tree framework.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PartitionTree {
@@ -54,6 +75,10 @@ pub struct PartitionTree {
     pub neighbourhood: Neighbourhood,
     /// The repartitioning moves.
     pub repartition: RepartitionMoves,
+    /// How contours that a repartitioning move attaches elsewhere are entered.
+    pub reattach: Reattach,
+    /// Whose entries are chosen again after the repair.
+    pub entries: FinalEntries,
     /// Number of moves of the GTSP search for each contour. The paper uses LKH with its defaults.
     pub gtsp_moves: u64,
 }
@@ -67,6 +92,8 @@ impl Default for PartitionTree {
             nodes: TreeNodes::Entries,
             neighbourhood: Neighbourhood::Near,
             repartition: RepartitionMoves::Both,
+            reattach: Reattach::Reopened,
+            entries: FinalEntries::All,
             // From 1,000 to 10,000 moves for each contour, the tours of the benchmark's sheets of small parts improve by
             // 0.3 % of all seconds.
             gtsp_moves: 10_000,

@@ -5,6 +5,7 @@ use super::entries::{cheapest, orders};
 use super::forest::Forest;
 use super::graph::Graph;
 use super::moves::{GainfulMoves, TreeMove};
+use super::repartition::Reattach;
 use crate::problem::{ItemId, NodeId};
 use crate::solve::epsilon::EPSILON;
 
@@ -12,7 +13,7 @@ use crate::solve::epsilon::EPSILON;
 const NEAR: usize = 4;
 
 /// Moves of the partition of a contour. Where the partition is attached elsewhere, the contour becomes its first or its
-/// last.
+/// last; with [`Reattach::AsItIs`] it has to be that already, and keeps its entry.
 pub(super) fn look(g: &Graph, forest: &Forest, item: ItemId, found: &mut GainfulMoves) {
     let route = forest.route_of(item);
     let Some(at) = forest.at(route) else { return };
@@ -30,6 +31,7 @@ pub(super) fn look(g: &Graph, forest: &Forest, item: ItemId, found: &mut Gainful
         inside + forest.hook(g, at).around(g, node(first), node(first + count - 1))
     };
     let now = ring(0, at);
+    let as_it_is = found.reattach == Reattach::AsItIs;
     let mut offer = |gain: f64, first: usize, to: NodeId, enter: Option<NodeId>| {
         found.priced += 1;
         if gain > EPSILON && forest.is_free(g, to) && !forest.hangs_from(g, g.item(to), route, &all) {
@@ -38,7 +40,7 @@ pub(super) fn look(g: &Graph, forest: &Forest, item: ItemId, found: &mut Gainful
     };
     if count == 1 {
         let entered = forest.entry(item);
-        for enter in g.nodes(item).filter(|&n| forest.may_enter(g, n)) {
+        for enter in g.nodes(item).filter(|&n| forest.may_enter(g, n) && (!as_it_is || n == entered)) {
             let turned = forest.extra(g, enter) - g.extra(entered);
             for &to in g.near(enter) {
                 let cost = forest.hook(g, to).around(g, enter, enter) + turned;
@@ -49,8 +51,9 @@ pub(super) fn look(g: &Graph, forest: &Forest, item: ItemId, found: &mut Gainful
         return;
     }
     let pos = forest.pos(item);
+    let firsts = [pos, (pos + 1) % count];
     for &to in g.near(forest.entry(item)) {
-        for first in [pos, (pos + 1) % count] {
+        for first in firsts.into_iter().filter(|&first| !as_it_is || first == 0) {
             offer(now - ring(first, to), first, to, None);
         }
     }

@@ -24,22 +24,33 @@ pub enum RepartitionMoves {
     Sequences,
 }
 
+/// How contours that a move attaches elsewhere are entered.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Reattach {
+    /// The ring of a partition may be opened at another contour, and a single contour entered at another node.
+    #[default]
+    Reopened,
+    /// Order and entries stay: "simply the reattachment of a partition" (section 4.5).
+    AsItIs,
+}
+
 /// Applies the best feasible move of a contour. Returns whether there was one, and the number of moves priced.
 pub(super) fn improve(
     g: &Graph,
     forest: &mut Forest,
     item: ItemId,
-    sets: RepartitionMoves,
+    (sets, reattach): (RepartitionMoves, Reattach),
     keep: bool,
 ) -> (bool, u64) {
-    let mut found = GainfulMoves::default();
+    let mut found = GainfulMoves { reattach, ..GainfulMoves::default() };
     if sets != RepartitionMoves::Sequences {
         partitions::look(g, forest, item, &mut found);
     }
     if sets != RepartitionMoves::Partitions {
         sequences::look(g, forest, item, &mut found);
     }
-    let GainfulMoves { mut moves, mut priced } = found;
+    let GainfulMoves { mut moves, mut priced, .. } = found;
     sort_by(&mut moves, |m| [!real(m.0), 0, 0]);
     for (_, change) in moves {
         if !keep || g.inwards.is_empty() {

@@ -1,10 +1,11 @@
 //! The second set of repartitioning moves. A sub-sequence of a partition becomes a partition of its own, or moves to
 //! another partition or to another gap of its own (figure 7). As in the paper it is never reversed. A single contour may be
-//! entered elsewhere.
+//! entered elsewhere, unless that is switched off ([`Reattach::AsItIs`]).
 
 use super::forest::{Forest, ROOT};
 use super::graph::Graph;
 use super::moves::{GainfulMoves, TreeMove};
+use super::repartition::Reattach;
 use crate::problem::{ItemId, NodeId};
 use crate::solve::epsilon::EPSILON;
 use glam::DVec2;
@@ -35,6 +36,9 @@ pub(super) fn look(g: &Graph, forest: &Forest, item: ItemId, found: &mut Gainful
     }
     for first in (pos + 1).saturating_sub(longest)..pos {
         offer(g, forest, &piece(g, forest, route, first..pos + 1), forest.entry(item), found);
+    }
+    if found.reattach == Reattach::AsItIs {
+        return;
     }
     let entered = forest.entry(item);
     let here = piece(g, forest, route, pos..pos + 1);

@@ -1,12 +1,14 @@
 //! One partition of all contours, each cut whole: a GTSP tour that ignores precedence and is then repaired.
 //!
-//! Inner contours are moved to just before the contour around them, not outer ones back as in the paper, because CAM
-//! programs cut holes first. Then the entries are chosen again. The same repair keeps ranks, groups, pairs and tables of
-//! costs, which the paper does not have. On problems with these, all three methods run this search, `pfr` with the
-//! nearest-neighbour path.
+//! By default inner contours are moved to just before the contour around them, because CAM programs cut holes first; the
+//! parameter `repair` moves outer ones back instead, as in the paper. Then the entries are chosen again. The repair forwards
+//! also keeps ranks, groups, pairs and tables of costs, which the paper does not have. On problems with these, all three
+//! methods run this search, `pfr` with the nearest-neighbour path.
 
 use super::forest::{Forest, ROOT};
 use super::graph::{Graph, Neighbourhood};
+use super::parameters::TourRepair;
+use super::repair::repair as move_outer_back;
 use super::{entries, visits};
 use crate::problem::{Item, NodeId, Problem};
 use crate::solve::insight::charts;
@@ -33,6 +35,7 @@ const SLICE: u64 = 1_000;
 pub(super) struct Single<'p> {
     problem: &'p Problem,
     relaxed: Relaxed,
+    repair: TourRepair,
     left: u64,
     repaired: bool,
     progress: Progress,
@@ -40,7 +43,7 @@ pub(super) struct Single<'p> {
 
 impl<'p> Single<'p> {
     /// Starts the search with `each` moves for each contour.
-    pub(super) fn new(problem: &'p Problem, seed: u64, each: u64) -> Self {
+    pub(super) fn new(problem: &'p Problem, seed: u64, each: u64, repair: TourRepair) -> Self {
         let free = |item: &Item| Item { before: None, rank: 0, track: None, ..item.in_one_go() };
         let relaxed = Problem {
             items: problem.items.iter().map(free).collect(),
@@ -52,14 +55,16 @@ impl<'p> Single<'p> {
         };
         let relaxed = Relaxed::new(relaxed, |p| TourTree.start(p, seed, None));
         let progress = Progress::new(greedy(problem), f64::INFINITY);
-        Self { problem, relaxed, left: each * problem.items.len() as u64, repaired: each == 0, progress }
+        let left = each * problem.items.len() as u64;
+        Self { problem, relaxed, repair, left, repaired: each == 0, progress }
     }
 
     /// Repairs the tour that was found.
     fn repair(&mut self) {
         let found: &Solution = self.relaxed.borrow_dependent().best();
         let nodes: Vec<NodeId> = found.stops.iter().map(|s| s.node).collect();
-        let nodes = Repair::new(self.problem).tour(self.problem, &nodes);
+        let back = self.repair == TourRepair::OuterBack && Graph::is_one_tree(self.problem);
+        let nodes = if back { nodes } else { Repair::new(self.problem).tour(self.problem, &nodes) };
         let repaired = if self.problem.table().is_some() {
             solution(self.problem, &nodes)
         } else {
@@ -67,7 +72,10 @@ impl<'p> Single<'p> {
             let mut forest = Forest::new(&g);
             forest.splice(ROOT, 0, nodes.iter().map(|&n| g.item(n)).collect());
             forest.order(&g, ROOT, &nodes);
-            entries::improve(&g, &mut forest, ROOT, false);
+            if back {
+                move_outer_back(&g, &mut forest);
+            }
+            entries::improve(&g, &mut forest, ROOT, false, None);
             visits::solution(&g, &forest)
         };
         self.progress.take(repaired.cost, || repaired);

@@ -24,6 +24,44 @@ fn cross_often(by: Operator, parents: [&Chromosome; 2], sizes: &[u32]) -> Vec<[T
     (0..400).map(|seed| cross((by, ReversedRun::Turned), parents, sizes, &mut seeded(seed))).collect()
 }
 
+#[test]
+fn the_first_paths_hold_the_segments_of_their_own_contours() {
+    let mut rng = seeded(3);
+    let problem = random_sheet(5, true, &mut rng);
+    let model = model(&problem);
+    let first = Chromosome::new(genes(&model, &keys(&model, &mut rng)), &model.sizes);
+    for m in 0..5 {
+        let mut held: Vec<usize> = first.genes[first.path(m)].iter().map(|g| *g as usize / 2).collect();
+        held.sort_unstable();
+        assert_eq!(held, first.path(m).collect::<Vec<_>>());
+    }
+}
+
+/// Section 4.5.
+#[test]
+fn a_mutation_stays_in_its_path_and_a_migration_moves_a_run_to_another() {
+    let before = coded(&[&[1, 2, 3], &[4, 5, 6, 7]]);
+    let (mut mutated, mut sizes) = (0, BTreeSet::new());
+    for seed in 0..400 {
+        let mut one = before.clone();
+        one.mutate(&mut seeded(seed));
+        let at: Vec<usize> = (0..7).filter(|&k| one.genes[k] != before.genes[k]).collect();
+        assert!(at.is_empty() || at.len() == 2 && (at[0] < 3) == (at[1] < 3), "{at:?}");
+        mutated += at.len() / 2;
+        let mut moved = before.clone();
+        moved.migrate(&mut seeded(seed));
+        let (from, to) = if moved.path(0).len() < 3 { (0, 1) } else { (1, 0) };
+        let was = |m: usize| before.genes[before.path(m)].to_vec();
+        let now = |m: usize| moved.genes[moved.path(m)].to_vec();
+        let gone: Vec<Gene> = was(from).into_iter().filter(|g| !now(from).contains(g)).collect();
+        let holds_run = |path: Vec<Gene>| path.windows(gone.len()).any(|w| w == gone);
+        assert!(!gone.is_empty() && holds_run(was(from)) && holds_run(now(to)), "{gone:?}");
+        assert_eq!(now(to).into_iter().filter(|g| !gone.contains(g)).collect::<Vec<_>>(), was(to));
+        sizes.insert((from, gone.len()));
+    }
+    assert!(mutated > 200 && sizes.len() > 5, "{mutated} {sizes:?}");
+}
+
 /// Figure 6 in words: chromosome 1 receives {5, 2} from chromosome 2. 2 then occurs twice, and the one outside the run is
 /// blanked.
 #[test]
@@ -69,7 +107,7 @@ fn the_three_crossovers_give_runs_as_they_say() {
     assert!(runs(Operator::Reverse).contains(&(1, vec![0, 2])));
     let isx = runs(Operator::Intersect);
     assert!(isx.is_superset(&psx) || isx.contains(&(1, vec![3, 1])));
-    // Paths of equal length exchange the same places; a longer one gives any of its places.
+    // A longer path gives any of its places.
     let short = coded(&[&[1], &[2, 3, 4, 5]]);
     let given: BTreeSet<Gene> =
         cross_often(Operator::Intersect, [&short, &coded(&[&[5, 4, 3], &[2, 1]])], &[2, 3])

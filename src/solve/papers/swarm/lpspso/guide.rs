@@ -7,7 +7,7 @@ use super::super::rules::{Spread, add_distances, inertia, kappa, learning, singe
 use super::super::run::Guide;
 use super::super::settings::{Draws, Weights};
 use super::flights::{Flight, Origin};
-use super::parameters::{Kappa, Lpspso, Stagnation};
+use super::parameters::{Kappa, Lpspso, Stagnation, Step4};
 use crate::solve::Curve;
 use crate::solve::insight::charts;
 use crate::solve::rng::Draw;
@@ -28,7 +28,9 @@ pub(super) struct LpspsoGuide {
     /// Which particles fly in this round, and where they came from.
     flies: Vec<bool>,
     before: Vec<Origin>,
-    /// Whether step 7 goes back to step 4.
+    /// Whether the next move is that of step 4: by (19) and (20), whatever the threshold says.
+    step_4: bool,
+    /// Whether that move, or the one of step 6 after it, belongs to the iteration under way.
     back: bool,
     /// Weights of the particle that is being moved.
     pull: Weights,
@@ -43,7 +45,7 @@ impl LpspsoGuide {
     /// The rules for an order with this number of items.
     pub(super) fn new(by: Lpspso, items: usize) -> Self {
         Self {
-            initialisation: Initialisation::new(by.initial, by.proximity_steps),
+            initialisation: Initialisation::new(by.initial, by.proximity_steps, by.shortest),
             flight: Flight::new(&by, items),
             chaos: by.singer_start,
             distances: Vec::new(),
@@ -52,6 +54,7 @@ impl LpspsoGuide {
             tau: 1.0,
             flies: Vec::new(),
             before: Vec::new(),
+            step_4: false,
             back: false,
             pull: Weights::default(),
             learning: (0.0, 0.0),
@@ -89,9 +92,14 @@ impl Guide for LpspsoGuide {
         let led = swarm.particles[swarm.leader].best_value;
         swarm.remember(|new, old| outcomes.value(new) > outcomes.value(old));
         let leads = swarm.particles[swarm.leader].best_value;
-        self.idle = if begun && leads >= led { self.idle + 1 } else { 0 };
+        let separate = self.by.step_4 == Step4::Separate;
+        let was_step_4 = separate && self.step_4;
+        // Step 7 counts iterations, not evaluations.
+        self.idle = if begun && leads >= led { self.idle + u32::from(!was_step_4) } else { 0 };
         self.z = outcomes.value(leads);
-        self.back = self.stagnates(Stagnation::Step4);
+        let stagnates = self.stagnates(Stagnation::Step4);
+        self.step_4 = stagnates || separate && !was_step_4;
+        self.back = stagnates || was_step_4;
     }
 
     fn goes_back(&self) -> bool {
@@ -123,8 +131,7 @@ impl Guide for LpspsoGuide {
             Kappa::Particle => self.distances.iter().map(Spread::kappa).collect(),
         };
         self.tau = tau(share);
-        // Step 4 moves by (19) and (20) whatever the threshold says.
-        self.flies = kappas.iter().map(|&kappa| !self.back && kappa > self.tau).collect();
+        self.flies = kappas.iter().map(|&kappa| !self.step_4 && kappa > self.tau).collect();
         self.kappa = match self.by.kappa {
             Kappa::Swarm => kappas.first().copied().unwrap_or(0.0),
             Kappa::Particle => kappas.iter().sum::<f64>() / count as f64,
@@ -204,6 +211,22 @@ mod tests {
         assert_eq!(stagnates(Stagnation::Step4, 10, 0.4), (false, true, 0));
         assert_eq!(stagnates(Stagnation::Step4, 9, 0.4), (false, false, 9));
         assert_eq!(stagnates(Stagnation::Step4, 10, 0.6), (false, false, 10));
+    }
+
+    #[test]
+    fn step_4_as_a_move_of_its_own_doubles_the_evaluations_of_an_iteration() {
+        let problem = points();
+        let run = |step_4| {
+            let settings =
+                SwarmSettings { particles: 8, rounds: 40, local_search: false, ..Lpspso::default().settings };
+            let by = Lpspso { settings, step_4, patience: 1000, ..Lpspso::default() };
+            let mut search = by.start(&problem, 3, None);
+            while search.step(1000).status != crate::solve::Status::Exhausted {}
+            (search.insight().map(|i| i.round), search.telemetry().moves as f64)
+        };
+        let (merged, separate) = (run(Step4::Merged), run(Step4::Separate));
+        assert_eq!(merged.0, separate.0, "as many iterations");
+        assert!((1.8..2.2).contains(&(separate.1 / merged.1)), "{separate:?} {merged:?}");
     }
 
     #[test]

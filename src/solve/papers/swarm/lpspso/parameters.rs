@@ -1,7 +1,7 @@
 //! The parameters of LPSPSO, with the readings of what the paper leaves open.
 
-use super::super::prospect::Prospect;
-use super::super::proximity::{Initial, PROXIMITY_STEPS};
+use super::super::prospect::{Prospect, Regret};
+use super::super::proximity::{Initial, PROXIMITY_STEPS, Shortest};
 use super::super::settings::{Draws, SwarmSettings};
 use serde::{Deserialize, Serialize};
 
@@ -13,8 +13,8 @@ pub enum Kappa {
     /// particles fly or none.
     #[default]
     Swarm,
-    /// One value a particle, from its distances to the others: step 5 prints them with an index of the particle. Step 7,
-    /// which asks of the whole swarm, has their mean.
+    /// One value a particle, from its distances to the others: step 5 prints them with an index of the particle. Step 7
+    /// needs one value for the swarm and takes their mean.
     Particle,
 }
 
@@ -41,6 +41,18 @@ pub enum Stagnation {
     Step4,
 }
 
+/// Whether step 4 moves the particles before step 6 does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Step4 {
+    /// Steps 4 and 6 are one move: particles move by (19) and (20), or they fly.
+    #[default]
+    Merged,
+    /// Word for word: in each iteration all particles move by (19) and (20) and are evaluated (step 4); then they fly, or move
+    /// again (step 6).
+    Separate,
+}
+
 /// The method with its parameters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Lpspso {
@@ -52,6 +64,8 @@ pub struct Lpspso {
     /// Largest number of steps of all tours that the proximity method constructs. The paper starts a tour at every feature
     /// point, which takes hours on large sheets; here evenly spaced points are used if there are too many.
     pub proximity_steps: u64,
+    /// What the proximity method compares.
+    pub shortest: Shortest,
     /// Largest inertia, eq. (16).
     pub inertia_most: f64,
     /// Smallest inertia, eq. (16).
@@ -79,6 +93,8 @@ pub struct Lpspso {
     pub kappa: Kappa,
     /// What a flight moves.
     pub flights: Flights,
+    /// Whether step 4 moves the particles too.
+    pub step_4: Step4,
     /// What happens when the swarm stagnates, step 7.
     pub stagnation: Stagnation,
     /// Number of iterations without a better path after which the swarm stagnates, step 7.
@@ -95,6 +111,8 @@ pub struct Lpspso {
     pub phi: f64,
     /// Regret avoidance, eqs (11) and (12); the paper uses the symbol of eq. (7) for it.
     pub avoidance: f64,
+    /// Whose value (11) and (12) take.
+    pub regret: Regret,
 }
 
 impl Default for Lpspso {
@@ -103,6 +121,7 @@ impl Default for Lpspso {
             settings: SwarmSettings::with(0.05, Draws::Equation),
             initial: Initial::Proximity,
             proximity_steps: PROXIMITY_STEPS,
+            shortest: Shortest::Whole,
             inertia_most: 0.95,
             inertia_least: 0.40,
             inertia_base: std::f64::consts::E,
@@ -115,6 +134,7 @@ impl Default for Lpspso {
             flights_must_gain: true,
             kappa: Kappa::Swarm,
             flights: Flights::Keys,
+            step_4: Step4::Merged,
             stagnation: Stagnation::Chaos,
             patience: 10,
             alpha: 0.85,
@@ -123,6 +143,7 @@ impl Default for Lpspso {
             delta: 0.61,
             phi: 0.69,
             avoidance: 0.69,
+            regret: Regret::Own,
         }
     }
 }
@@ -130,7 +151,7 @@ impl Default for Lpspso {
 impl Lpspso {
     /// The parameters of the prospect-regret value.
     pub(super) fn prospect(&self) -> Prospect {
-        let &Self { alpha, beta, gamma, delta, phi, avoidance, .. } = self;
-        Prospect { alpha, beta, gamma, delta, phi, avoidance }
+        let &Self { alpha, beta, gamma, delta, phi, avoidance, regret, .. } = self;
+        Prospect { alpha, beta, gamma, delta, phi, avoidance, regret }
     }
 }

@@ -1,8 +1,11 @@
 //! The methods compared with the optimum of small problems. The optimum is found by trying every order, every entry and
 //! every place to leave a contour.
 
+use super::super::entries::cheapest;
+use super::super::forest::{Forest, ROOT};
+use super::super::gtsp::Gtsp;
 use super::super::visits::keeps_precedence;
-use super::super::{GtspLk, InitialPartitions, PartitionTree, Pfr};
+use super::super::{GtspLk, InitialPartitions, PartitionTree, Pfr, TourRepair};
 use super::super::{graph::Graph, pfr};
 use super::{graph, near, random, sheet};
 use crate::geometry::DVec2;
@@ -127,6 +130,52 @@ fn no_method_is_below_the_optimum_and_the_tree_is_often_at_it() {
         built += u32::from(pfr < optimum + 1e-9);
     }
     assert!(at >= 30 && built < at && left > 20, "{at} {built} {left} of 40");
+}
+
+/// All orders of these numbers.
+fn orders(of: &[u32]) -> Vec<Vec<u32>> {
+    if of.is_empty() {
+        return vec![Vec::new()];
+    }
+    let of_rest = |&first: &u32| {
+        let rest: Vec<u32> = of.iter().copied().filter(|&i| i != first).collect();
+        orders(&rest).into_iter().map(move |order| [vec![first], order].concat())
+    };
+    of.iter().flat_map(of_rest).collect()
+}
+
+#[test]
+fn the_gtsp_of_a_partition_is_solved_while_its_parent_node_stays() {
+    let mut rng = seeded(14);
+    for _ in 0..10 {
+        let mut problem = random(6, 3, &mut rng);
+        problem.items[0].leave = Some(1.0);
+        let g = graph(&problem);
+        let mut forest = Forest::new(&g);
+        forest.splice(ROOT, 0, vec![0]);
+        let route = forest.open(vec![1, 2, 3, 4, 5]);
+        forest.hang(&g, route, 1);
+        let mut gtsp = Gtsp::new(&g, &mut forest, route, (1, 10_000), &mut 0).unwrap();
+        while gtsp.piece().is_some() {}
+        gtsp.take(&g, &mut forest);
+        let hook = forest.hook(&g, 1);
+        let least = orders(&[1, 2, 3, 4, 5]).into_iter().map(|order| {
+            let layers: Vec<Vec<NodeId>> = order.iter().map(|&i| g.nodes(i).collect()).collect();
+            cheapest(&g, &layers, (hook.out, Some(hook.back)), |n| g.extra(n)).0
+        });
+        near(forest.route_seconds(&g, route), least.fold(f64::INFINITY, f64::min) + hook.seconds);
+        assert_eq!(forest.at(route), Some(1));
+    }
+}
+
+#[test]
+fn a_tour_is_repaired_forwards_or_backwards() {
+    // From home outwards at 10, 20 and 30; the last lies inside the first. Forwards 30, 10, 20; backwards 20, 30, 10.
+    let mut problem = Problem { closed: false, ..sheet(&[&[[10.0, 0.0]], &[[20.0, 0.0]], &[[30.0, 0.0]]]) };
+    problem.items[2].before = Some(0);
+    let cost = |repair| run(&GtspLk { repair, ..GtspLk::default() }, &problem).cost;
+    near(cost(TourRepair::InnerForward), 60.0);
+    near(cost(TourRepair::OuterBack), 50.0);
 }
 
 #[test]

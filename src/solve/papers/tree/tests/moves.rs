@@ -3,10 +3,11 @@
 use super::super::forest::{Forest, ROOT};
 use super::super::graph::{Graph, Neighbourhood};
 use super::super::moves::{GainfulMoves, TreeMove};
-use super::super::repartition::{RepartitionMoves, improve};
+use super::super::repartition::{Reattach, RepartitionMoves, improve};
 use super::super::visits::{keeps_precedence, solution};
 use super::super::{
-    connect::Connections, edmonds::arborescence, partitions, repair::repair, resolve::resolve, sequences,
+    connect::Connections, edmonds::arborescence, entries, partitions, repair::repair, resolve::resolve,
+    sequences,
 };
 use super::{PRE_CUT, graph, graph_of, near, random, random_forest, sheet, with_groups};
 use crate::problem::NodeId;
@@ -14,7 +15,11 @@ use crate::solve::rng::seeded;
 use std::mem::discriminant;
 
 fn found(g: &Graph, forest: &Forest) -> Vec<(f64, TreeMove)> {
-    let mut found = GainfulMoves::default();
+    found_by(Reattach::Reopened, g, forest)
+}
+
+fn found_by(reattach: Reattach, g: &Graph, forest: &Forest) -> Vec<(f64, TreeMove)> {
+    let mut found = GainfulMoves { reattach, ..GainfulMoves::default() };
     for item in (0..).take(g.problem.items.len()) {
         partitions::look(g, forest, item, &mut found);
         sequences::look(g, forest, item, &mut found);
@@ -148,7 +153,7 @@ fn with_precedence_no_move_breaks_it() {
             repair(&g, &mut forest);
             assert!(keeps_precedence(&g, &forest) && forest.is_sound(&g), "repaired");
             for item in (0..).take(problem.items.len()) {
-                while improve(&g, &mut forest, item, RepartitionMoves::Both, keep).0 {
+                while improve(&g, &mut forest, item, (RepartitionMoves::Both, Reattach::Reopened), keep).0 {
                     made += 1;
                     broken += u32::from(!keeps_precedence(&g, &forest));
                     assert!(!keep || keeps_precedence(&g, &forest));
@@ -157,6 +162,62 @@ fn with_precedence_no_move_breaks_it() {
         }
     }
     assert!(made > 100 && broken > 10, "{made} {broken}");
+}
+
+#[test]
+fn what_is_reattached_as_it_is_keeps_its_order_and_entries() {
+    let mut rng = seeded(13);
+    let (mut reattached, mut moved, mut reopened) = (0, 0, 0);
+    for round in 0..40 {
+        let problem = random(6 + round % 6, 3, &mut rng);
+        let g = graph(&problem);
+        let forest = random_forest(&g, &mut rng);
+        let changes = |reattach| {
+            let found = found_by(reattach, &g, &forest).into_iter();
+            found.filter(|m| matches!(m.1, TreeMove::Reattach { .. })).count()
+        };
+        reopened += changes(Reattach::Reopened);
+        for (gain, change) in found_by(Reattach::AsItIs, &g, &forest) {
+            match change {
+                TreeMove::Reattach { route, first, enter, .. } => {
+                    let entered = forest.entry(forest.items(route)[0]);
+                    assert!(first == 0 && enter.is_none_or(|n| n == entered), "{change:?}");
+                    reattached += 1;
+                }
+                TreeMove::Own { enter, .. } | TreeMove::Into { enter, .. } => {
+                    assert_eq!(enter, None);
+                    moved += 1;
+                }
+                TreeMove::Merge { .. } => {}
+            }
+            let mut next = forest.clone();
+            change.apply(&g, &mut next);
+            near(forest.seconds(&g) - next.seconds(&g), gain);
+        }
+    }
+    assert!(reattached > 10 && moved > 100 && reopened > 2 * reattached, "{reattached} {moved} {reopened}");
+}
+
+#[test]
+fn entries_are_chosen_again_for_all_contours_or_for_some() {
+    let problem = tall();
+    let g = graph(&problem);
+    let begun = || {
+        let mut forest = Forest::new(&g);
+        forest.splice(ROOT, 0, vec![0, 1, 2]);
+        // Above, below, above: each way between them is 10 mm longer than it has to be.
+        for (item, enter) in [(0, 1), (1, 2), (2, 5)] {
+            forest.enter(item, enter);
+        }
+        forest
+    };
+    let improved = |only: Option<&[u32]>| {
+        let mut forest = begun();
+        assert!(entries::improve(&g, &mut forest, ROOT, true, only).0);
+        [0, 1, 2].map(|item| forest.entry(item))
+    };
+    assert_eq!(improved(None), [0, 2, 4]);
+    assert_eq!(improved(Some(&[2])), [1, 2, 4]);
 }
 
 #[test]
