@@ -54,17 +54,17 @@ export function notched(x, y, w, h, elements) {
 }
 
 /** The same with straight sides along the box, so that neighbours are near along all of them. */
-export function straight(x, y, w, h, elements, dice) {
-  return elements < 4 ? outline(x, y, w, h, elements, dice) : notched(x, y, w, h, elements);
+export function straight(x, y, w, h, elements, random) {
+  return elements < 4 ? outline(x, y, w, h, elements, random) : notched(x, y, w, h, elements);
 }
 
 /** An outline of exactly that many elements, at least 2, in a box. */
-export function outline(x, y, w, h, elements, dice) {
+export function outline(x, y, w, h, elements, random) {
   if (elements === 2) return circle(x + w / 2, y + h / 2, Math.min(w, h) / 2);
-  if (elements === 3) return [[x, y], [x + w, y], [x + w * dice.even(), y + h]];
+  if (elements === 3) return [[x, y], [x + w, y], [x + w * random.even(), y + h]];
   // A slot as wide as high would have lines of no length.
-  if (elements === 4) return dice.below(4) === 0 && Math.abs(w - h) > 2 ? slot(x, y, w, h) : rectangle(x, y, w, h);
-  if (elements === 8 && dice.below(2) === 0) return rounded(x, y, w, h, Math.min(w, h) / 6);
-  if (elements <= 12 && dice.below(3) === 0) return polygon(x, y, w, h, elements, dice.even());
+  if (elements === 4) return random.below(4) === 0 && Math.abs(w - h) > 2 ? slot(x, y, w, h) : rectangle(x, y, w, h);
+  if (elements === 8 && random.below(2) === 0) return rounded(x, y, w, h, Math.min(w, h) / 6);
+  if (elements <= 12 && random.below(3) === 0) return polygon(x, y, w, h, elements, random.even());
   return notched(x, y, w, h, elements);
 }

@@ -10,7 +10,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { Dice } from './dice.mjs';
+import { Random } from './random.mjs';
 import { apart, close, perforated, Sheet } from './layout.mjs';
 import { bricks, chain, frame, grid, island, single, stairs } from './touching.mjs';
 import { outline } from './shapes.mjs';
@@ -55,7 +55,7 @@ export const SHEETS = [
 
 /** Blocks of touching parts among single ones, large and small; `scale` makes all of it larger, `gap` are the distances between blocks. */
 function touching(sheet, { width, scale, gap: distances = [10, 30] }) {
-  const { dice } = sheet;
+  const { random } = sheet;
   const blocks = [
     [(x, y) => grid(sheet, x, y, { columns: 3, lines: 2, w: 60 * scale, h: 40 * scale }), 24],
     [(x, y) => chain(sheet, x, y, { parts: 4, w: 40 * scale, h: 50 * scale }), 16],
@@ -68,17 +68,17 @@ function touching(sheet, { width, scale, gap: distances = [10, 30] }) {
   ];
   let [x, y, high] = [10, 10, 0];
   for (let k = 0; sheet.left > 0; k++) {
-    // Every block once, then as the dice say.
-    const [block, most] = blocks[k < blocks.length ? k : dice.below(blocks.length)];
+    // Every block once, then at random.
+    const [block, most] = blocks[k < blocks.length ? k : random.below(blocks.length)];
     let size;
     if (most + 2 <= sheet.left || most === sheet.left) {
       size = block(x, y);
     } else {
       const side = 40 * scale;
       size = [side, side];
-      sheet.draw(outline(x, y, side, side, sheet.elements(4), dice));
+      sheet.draw(outline(x, y, side, side, sheet.elements(4), random));
     }
-    const gap = dice.between(...distances);
+    const gap = random.between(...distances);
     x += size[0] + gap;
     high = Math.max(high, size[1]);
     if (x > width) [x, y, high] = [10, y + high + gap, 0];
@@ -89,7 +89,7 @@ function touching(sheet, { width, scale, gap: distances = [10, 30] }) {
 export function contours(name, { scale = 1, gap } = {}) {
   const index = SHEETS.findIndex((s) => s[0] === name);
   const [, , elements, spec] = SHEETS[index];
-  const sheet = new Sheet(elements, new Dice(1000 + index));
+  const sheet = new Sheet(elements, new Random(1000 + index));
   spec.fill(sheet, spec.fill === touching ? { ...spec, width: spec.width * scale, scale: spec.scale * scale, gap } : spec);
   return sheet.contours;
 }

@@ -15,7 +15,7 @@ export function grid(sheet, x, y, { columns, lines, w, h }) {
 export function chain(sheet, x, y, { parts, w, h }) {
   let [at, highest] = [x, 0];
   for (let k = 0; k < parts; k++) {
-    const [own, high] = [w + 5 * sheet.dice.below(4), h + 10 * sheet.dice.below(4)];
+    const [own, high] = [w + 5 * sheet.random.below(4), h + 10 * sheet.random.below(4)];
     sheet.draw(rectangle(at, y, own, high));
     at += own;
     highest = Math.max(highest, high);

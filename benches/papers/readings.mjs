@@ -60,6 +60,8 @@ export const READINGS = {
       ['lpspso', 'nearest, initial=random', { ...GAINING, initial: 'random' }],
       ['lpspso', 'nearest, stagnation=chaos', { ...GAINING, stagnation: 'chaos' }],
       ['lpspso', 'nearest, draws=key', { ...GAINING, draws: 'key' }],
+      ...[['step_4=separate', { step_4: 'separate' }], ['regret=printed', { regret: 'printed' }]].flatMap(([name, more]) =>
+        [['lpspso', name, { ...PUBLISHED, ...more }], ['lpspso', `nearest, ${name}`, { ...GAINING, ...more }]]),
       ...factorial(PUBLISHED, { initial: ['random', 'proximity'], decode: ['keys', 'order-nearest', 'permutation'] }).map(([name, parameters]) => ['pso', name, parameters]),
       ...['aco-pso', 'k-pso'].flatMap((method) =>
         factorial(PUBLISHED, { decode: ['keys', 'permutation'] }).map(([name, parameters]) => [method, name, parameters])),
@@ -76,6 +78,8 @@ export const READINGS = {
     more: [
       ['rlsga', 'scaled_fitness=false mean_reward=printed', { scaled_fitness: false, mean_reward: 'printed' }],
       ['rlsga', 'scaled_fitness=true mean_reward=printed', { scaled_fitness: true, mean_reward: 'printed' }],
+      ['rlsga', 'scaled_fitness=false next_action=best', { scaled_fitness: false, next_action: 'best' }],
+      ['rlsga', 'scaled_fitness=true next_action=best', { scaled_fitness: true, next_action: 'best' }],
       ['rlsga', 'scaled_fitness=false reversed_run=order-only', { scaled_fitness: false, reversed_run: 'order-only' }],
       ['sga', 'reversed_run=order-only', { reversed_run: 'order-only' }],
     ],
@@ -95,6 +99,8 @@ export const READINGS = {
       ['partition-tree', 'start=each', { ...PUBLISHED, start: 'each' }],
       ['partition-tree', 'start=single', { ...PUBLISHED, start: 'single' }],
       ['partition-tree', 'neighbourhood=all', { ...PUBLISHED, neighbourhood: 'all' }],
+      ['partition-tree', 'reattach=reopened', { ...PUBLISHED, reattach: 'reopened' }],
+      ['partition-tree', 'entries=all', { ...PUBLISHED, entries: 'all' }],
       ...DEWIL.map((method) => [method, 'nodes=entries', {}]),
       ...GROUPS.flatMap(([name, more]) => DEWIL.map((method) => [method, name, PUBLISHED, more])),
     ],

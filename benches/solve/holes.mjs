@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { ROOT } from '../../scripts/tools.mjs';
 import { drawing } from '../common/dxf.mjs';
-import { Dice } from '../dewil/dice.mjs';
+import { Random } from '../dewil/random.mjs';
 
 /** Seconds of search at which the path is measured. */
 export const MARKS = [0, 2, 10, 60];
@@ -19,12 +19,12 @@ const MOST = 1e6;
 const PITCH = 9.5;
 
 function holes(count) {
-  const dice = new Dice(5);
+  const random = new Random(5);
   const side = Math.ceil(Math.sqrt(count));
-  const off = () => PITCH * (0.5 * dice.even() - 0.25);
+  const off = () => PITCH * (0.5 * random.even() - 0.25);
   const one = (k) => [
     ...['0', 'CIRCLE', '8', 'CUT', '10', PITCH * (k % side) + off(), '20', PITCH * Math.floor(k / side) + off()],
-    ...['40', 0.5 + 1.5 * dice.even()],
+    ...['40', 0.5 + 1.5 * random.even()],
   ];
   return new TextEncoder().encode(drawing(Array.from({ length: count }, (_, k) => one(k)).flat()));
 }

@@ -1,6 +1,6 @@
 // Random numbers of the sheets: mulberry32, the same everywhere.
 
-export class Dice {
+export class Random {
   #state;
 
   constructor(seed) {
