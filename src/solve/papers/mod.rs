@@ -172,6 +172,12 @@ mod tests {
         let read = |text| parameters::read::<Lpspso>(text, &presets::of("lpspso"));
         let published = read(r#"{"preset":"as-published"}"#).unwrap();
         assert!(!published.settings.local_search && !published.flights_must_gain);
+        // Permutations are shorter than random keys for two of the three comparators of RLSGA.
+        let best = |method: &str| presets::of(method)["at-its-best"]["encoding"].clone();
+        assert_eq!(
+            ["hull-pso", "woa", "ofa"].map(best),
+            ["permutation".into(), "permutation".into(), serde_json::Value::Null]
+        );
         // A parameter given beside a preset wins, in either order.
         for text in [
             r#"{"preset":"as-published","local_search":true}"#,

@@ -65,6 +65,7 @@ mod forest;
 mod framework;
 mod graph;
 mod gtsp;
+mod hooks;
 mod methods;
 mod moves;
 mod parameters;

@@ -1,25 +1,21 @@
-//! The improvement framework, steps 1 to 9 of section 4, in pieces of work.
+//! The improvement framework, steps 1 to 9 of section 4. `pieces.rs` runs it in pieces of work.
+
+mod pieces;
 
 use super::connect::Connections;
-use super::drawn_partitions::partitions;
 use super::edmonds::{Arc, arborescence};
-use super::entries;
 use super::forest::{Forest, ROOT};
 use super::graph::Graph;
-use super::gtsp::Gtsp;
-use super::parameters::{FinalEntries, InitialPartitions, InitialTours, PartitionTree};
+use super::parameters::{InitialPartitions, InitialTours, PartitionTree};
 use super::pfr::Pfr;
 use super::repair::repair;
-use super::repartition;
 use super::resolve::resolve;
 use super::stage::{After, STEPS, Stage};
-use super::visits::{for_each_visit, keeps_precedence, solution};
+use super::visits::{keeps_precedence, solution};
 use crate::problem::{ItemId, NodeId, Problem};
 use crate::solve::epsilon::EPSILON;
 use crate::solve::greedy;
-use crate::solve::insight::charts;
-use crate::solve::papers::piecewise::{Piecewise, Progress};
-use crate::solve::{Curve, Insight};
+use crate::solve::papers::piecewise::Progress;
 use rustc_hash::FxHashSet;
 
 pub(super) struct Framework<'p> {
@@ -214,131 +210,6 @@ impl<'p> Framework<'p> {
                 Stage::End
             }
         }
-    }
-}
-
-impl Piecewise for Framework<'_> {
-    fn progress(&self) -> &Progress {
-        &self.progress
-    }
-
-    fn progress_mut(&mut self) -> &mut Progress {
-        &mut self.progress
-    }
-
-    fn piece(&mut self) -> Option<u64> {
-        let step = self.stage.step();
-        let (cost, next) = match std::mem::replace(&mut self.stage, Stage::End) {
-            Stage::Near => match self.g.list_near() {
-                Some(priced) => (priced, Stage::Near),
-                None => (1, self.begin()),
-            },
-            Stage::Construct(mut pfr) => match pfr.piece(&self.g) {
-                Some(priced) => (priced, Stage::Construct(pfr)),
-                None => {
-                    self.forest = pfr.forest;
-                    self.take();
-                    (1, if self.only_construction { Stage::End } else { self.gtsp(After::Initial) })
-                }
-            },
-            Stage::Gtsp { routes, now: Some(mut now), then } => match now.piece() {
-                Some(moves) => (moves, Stage::Gtsp { routes, now: Some(now), then }),
-                None => {
-                    let route = now.route();
-                    now.take(&self.g, &mut self.forest);
-                    self.solved.insert(self.key(route));
-                    (1, Stage::Gtsp { routes, now: None, then })
-                }
-            },
-            Stage::Gtsp { mut routes, now: None, then } => match routes.pop() {
-                Some(route) if self.solved.contains(&self.key(route)) => {
-                    (1, Stage::Gtsp { routes, now: None, then })
-                }
-                Some(route) => {
-                    let mut moves = 1;
-                    self.seed = self.seed.wrapping_add(1);
-                    let budget = (self.seed, self.parameters.gtsp_moves);
-                    let now = Gtsp::new(&self.g, &mut self.forest, route, budget, &mut moves).map(Box::new);
-                    (moves, Stage::Gtsp { routes, now, then })
-                }
-                None => (1, self.after(then, false)),
-            },
-            Stage::Repartition { next, idle, then } => {
-                let count = self.g.problem.items.len();
-                if idle >= count {
-                    (1, self.after(then, true))
-                } else if self.g.problem.items[next].nodes.is_empty() {
-                    (1, Stage::Repartition { next: (next + 1) % count, idle: idle + 1, then })
-                } else {
-                    let item = ItemId::try_from(next).unwrap_or(ItemId::MAX);
-                    let sets = (self.parameters.repartition, self.parameters.reattach);
-                    let keep = then != After::Round;
-                    let (gained, priced) = repartition::improve(&self.g, &mut self.forest, item, sets, keep);
-                    let idle = if gained { 0 } else { idle + 1 };
-                    let next = if gained { next } else { (next + 1) % count };
-                    (priced, Stage::Repartition { next, idle, then })
-                }
-            }
-            Stage::Connect { mut routes, mut found } => match routes.pop() {
-                Some(route) => {
-                    let priced = found.look(&self.g, &self.forest, route);
-                    (priced, Stage::Connect { routes, found })
-                }
-                None => {
-                    let work = self.resolve(&found);
-                    (work, self.gtsp(After::Round))
-                }
-            },
-            Stage::Repair => {
-                if let Some((_, best)) = &self.best {
-                    self.forest.clone_from(best);
-                }
-                let (moved, work) = repair(&self.g, &mut self.forest);
-                self.moved = moved;
-                self.repaired = Some(self.forest.seconds(&self.g));
-                self.take();
-                (work, self.entries(After::Final))
-            }
-            Stage::Entries { mut routes, then } => match routes.pop() {
-                Some(route) => {
-                    let only_moved = then == After::Final && self.parameters.entries == FinalEntries::Moved;
-                    let only = only_moved.then_some(self.moved.as_slice());
-                    let (_, work) = entries::improve(&self.g, &mut self.forest, route, true, only);
-                    (work, Stage::Entries { routes, then })
-                }
-                None => (1, Self::repartition(then)),
-            },
-            Stage::End => return None,
-        };
-        self.stage = next;
-        self.work[step] += cost;
-        Some(cost)
-    }
-
-    fn insight(&self) -> Insight {
-        let now = self.forest.seconds(&self.g);
-        let free = self.best.as_ref().map_or(now, |b| b.0);
-        let mut pre_cuts = 0_u32;
-        for_each_visit(&self.g, &self.forest, |v| pre_cuts += u32::from(!v.closes));
-        let depth = self.forest.used().map(|r| self.forest.depth(&self.g, r)).max().unwrap_or(0);
-        let value = |name, value| Curve { name, value, chart: charts::SECONDS };
-        let number = |name, value| Curve { name, value, chart: charts::COUNTS };
-        let count = u32::try_from(self.forest.used().count()).unwrap_or(u32::MAX);
-        let mut curves = vec![
-            value("time now, s", now),
-            value("best with precedence left out, s", free),
-            value("repaired, s", self.repaired.unwrap_or(now)),
-            value("repaired and improved, s", self.ended.unwrap_or(now)),
-            number("partitions", count.into()),
-            number("depth", depth.into()),
-            number("pre-cuts", pre_cuts.into()),
-        ];
-        // Figure 9 of the paper, by work instead of time.
-        let all = self.work.iter().sum::<u64>().max(1) as f64;
-        let share = |(name, &work): (_, &u64)| Curve { name, value: work as f64 / all, chart: charts::WORK };
-        curves.extend(STEPS.into_iter().zip(&self.work).map(share));
-        let partitions = Some(partitions(self.g.problem, self.progress.solution()));
-        Insight { round: self.round.into(), curves, grid: None, partitions }
     }
 }
 
