@@ -57,6 +57,8 @@ const LINES = [
   { title: 'F-R', name: 'partition-tree: as-published', key: 'improved', printed: 6 },
   { title: 'GTSP, our entries', name: 'gtsp-lk: nodes=entries', key: 'free' },
   { title: 'F-R, our entries', name: 'partition-tree: nodes=entries', key: 'improved' },
+  { title: 'F-R, reattached otherwise', name: 'partition-tree: reattach=reopened', key: 'improved' },
+  { title: 'F-R, all entries again', name: 'partition-tree: entries=all', key: 'improved' },
   { title: 'F-R, all nodes', name: 'partition-tree: neighbourhood=all', key: 'improved' },
   { title: 'F-R from SP', name: 'partition-tree: start=each', key: 'improved', printed: 8 },
   { title: 'F-R from GTSP', name: 'partition-tree: start=single', key: 'improved', printed: 9 },
