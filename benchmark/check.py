@@ -13,6 +13,8 @@ import gzip
 import hashlib
 import io
 import json
+import os
+import re
 import sys
 import zlib
 from pathlib import Path
@@ -57,13 +59,25 @@ def instance_in(path):
     try:
         if ".gtsp" in Path(path).suffixes:
             instance = {"gtsplib": load(path).decode()}
-            read(instance["gtsplib"])
+            is_whole(instance["gtsplib"])
         else:
             instance = json.loads(load(path))
             agrees(instance)
         return instance
-    except (Wrong, KeyError, IndexError, TypeError, ValueError, RecursionError) as error:
+    except (Wrong, KeyError, IndexError, TypeError, ValueError, OverflowError, RecursionError) as error:
         raise Unusable(f"{path} is not an instance: {error!r}") from error
+
+
+def is_whole(gtsplib):
+    """Whether each node of a file of GTSPLIB is in one set and has costs; raises what is missing or wrong."""
+    costs, sets = read(gtsplib)
+    nodes = sorted(node for members in sets for node in members)
+    dimension = re.search(r"^\s*DIMENSION\s*:\s*(\d+)", gtsplib, re.MULTILINE)[1]
+    if nodes != list(range(len(nodes))) or len(nodes) != int(dimension) or [] in sets:
+        raise ValueError(f"a set is empty, or one of the {dimension} nodes is not in exactly one set")
+    for node in nodes:
+        for pair in (node, 0), (0, node), (node, node):
+            costs(*pair)
 
 
 def agrees(instance):
@@ -72,10 +86,18 @@ def agrees(instance):
     for k, contour in enumerate(contours):
         if contour.length <= 2 * NEAR:
             raise ValueError(f"contour {k} is not longer than {2 * NEAR} mm")
+        if type(contour.closed) is not bool:
+            raise ValueError(f"contour {k} is closed or not: true or false")
         if contour.closed and abs(contour.end - contour.start) > NEAR:
             raise ValueError(f"contour {k} is closed, and does not end where it begins")
-        if contour.inside is not None and contour.inside not in range(len(contours)):
+        if contour.inside is not None and (type(contour.inside) is not int or contour.inside not in range(len(contours))):
             raise ValueError(f"contour {k} is inside contour {contour.inside}, which there is not")
+    for k, contour in enumerate(contours):
+        outer, depth = contour.inside, 0
+        while outer is not None:
+            outer, depth = contours[outer].inside, depth + 1
+            if depth > len(contours):
+                raise ValueError(f"contour {k} lies inside itself, or in one that does")
     if instance["track"] not in ("CCP", "TIME", "ECP", "ICP") or cost["unit"] not in ("mm", "s") or type(instance["closed"]) is not bool:
         raise ValueError("a track is CCP, TIME, ECP or ICP, a unit mm or s, and closed true or false")
     point(instance["home"])
@@ -101,6 +123,14 @@ def instance_of(name, beside=None):
     return json.loads(data) if entry["track"] != "GTSP" else {"gtsplib": data.decode()}, entry
 
 
+def say(line):
+    """Prints a line at once. A reader that has gone, as after `| head`, changes no verdict."""
+    try:
+        print(line, flush=True)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
 def folder(path):
     """Checks every plan of a folder; the exit code."""
     instances = (".instance.json", ".instance.json.gz")
@@ -115,21 +145,21 @@ def folder(path):
             value = check(instance, plan_of(file))
             best = entry.get("best", {}).get("value")
             known = "" if best is None else f"   best known {best:.3f}   {round(100 * (value / best - 1), 3) + 0.0:+.3f} %"
-            print(f"{name:24} {value:14.3f}{known}", flush=True)
+            say(f"{name:24} {value:14.3f}{known}")
         except Wrong as error:
             code = 1
-            print(f"{name:24} WRONG  {error}", flush=True)
+            say(f"{name:24} WRONG  {error}")
         except Unusable as error:
             code = code or 2
-            print(f"{name:24} not checked: {error}", flush=True)
+            say(f"{name:24} not checked: {error}")
     return code
 
 
 def main(arguments):
     if len(arguments) == 3 and arguments[0] == "--instance":
-        print(f"{check(instance_of(arguments[1])[0], plan_of(arguments[2])):.6f}")
+        say(f"{check(instance_of(arguments[1])[0], plan_of(arguments[2])):.6f}")
     elif len(arguments) == 2 and not arguments[0].startswith("-"):
-        print(f"{check(instance_in(arguments[0]), plan_of(arguments[1])):.6f}")
+        say(f"{check(instance_in(arguments[0]), plan_of(arguments[1])):.6f}")
     elif len(arguments) == 1 and Path(arguments[0]).is_dir():
         return folder(Path(arguments[0]))
     elif len(arguments) == 1 and not arguments[0].startswith("-"):
@@ -141,10 +171,12 @@ def main(arguments):
 
 
 if __name__ == "__main__":
+    # Names of files may have characters that a terminal or a log has not.
+    sys.stdout.reconfigure(errors="backslashreplace")
     try:
         sys.exit(main(sys.argv[1:]))
     except Wrong as error:
-        print(f"WRONG  {error}")
+        say(f"WRONG  {error}")
         sys.exit(1)
     except Unusable as error:
         print(f"check.py: {error}.", file=sys.stderr)

@@ -273,12 +273,13 @@ def tour(instance, plan):
 
 def read(text):
     """The cost between two nodes as a function, and the nodes of each set, by the definitions of TSPLIB95; nodes count from 0."""
-    head, *rest = re.split(r"(\w+_SECTION)[\s:]*", text.replace("EOF", ""))
-    header = dict(re.findall(r"^(\w+) *: *(\S+)", head, re.MULTILINE))
-    rows = {name: [[float(x) for x in row.split()] for row in re.findall(r"\S.*", body)] for name, body in zip(rest[::2], rest[1::2])}
-    sets = [[int(x) - 1 for x in row[1:] if x > 0] for row in rows["GTSP_SET_SECTION"]]
-    flat = [int(x) for row in rows.get("EDGE_WEIGHT_SECTION", []) for x in row]
-    at = [row[1:3] for row in rows.get("NODE_COORD_SECTION", [])]
+    head, *rest = re.split(r"^\s*(\w+_SECTION)\b[\s:]*", re.split(r"^\s*EOF", text, flags=re.MULTILINE)[0], flags=re.MULTILINE)
+    header = dict(re.findall(r"^\s*(\w+)[ \t]*:[ \t]*(\S+)", head, re.MULTILINE))
+    words = {name: body.split() for name, body in zip(rest[::2], rest[1::2])}
+    # A set is its number, its nodes and -1, in one line or in several.
+    sets = [[int(x) - 1 for x in row.split()[1:]] for row in f"{' '.join(words['GTSP_SET_SECTION'])} ".split(" -1 ")[:-1]]
+    flat = [int(float(x)) for x in words.get("EDGE_WEIGHT_SECTION", [])]
+    at = {int(node) - 1: (number(float(x)), number(float(y))) for node, x, y in zip(*[iter(words.get("NODE_COORD_SECTION", []))] * 3)}
     kind, n = header["EDGE_WEIGHT_TYPE"], int(header["DIMENSION"])
     costs = {
         "EUC_2D": lambda a, b: int(math.dist(at[a], at[b]) + 0.5),
@@ -294,4 +295,4 @@ def read(text):
 def geographical(a, b):
     (la, lo), (lb, mo) = [[3.141592 * (int(x) + 5 * (x - int(x)) / 3) / 180 for x in p] for p in (a, b)]
     q1, q2, q3 = math.cos(lo - mo), math.cos(la - lb), math.cos(la + lb)
-    return int(6378.388 * math.acos(0.5 * ((1 + q1) * q2 - (1 - q1) * q3)) + 1)
+    return int(6378.388 * math.acos(min(0.5 * ((1 + q1) * q2 - (1 - q1) * q3), 1.0)) + 1)
