@@ -90,6 +90,15 @@ describe('an output that is another file of the same run is wrong usage, and not
     refused(at, ['plan', 'a.dxf', ...QUICK, '--machine', 'mine.json', '--json', 'sub/../mine.json'], /--json sub\/\.\.\/mine\.json is the same file as mine\.json, which is read/);
   });
 
+  it('a machine file with the name of a preset in it made plans for a machine without a name', (t) => {
+    const at = place(t);
+    for (const text of ['"k40"', '{"profile": "k40"}']) {
+      writeFileSync(join(at, 'mine.json'), text);
+      const { status, stderr } = run(at, ['plan', 'a.dxf', ...QUICK, '--machine', './mine.json']);
+      assert.deepEqual([status, stderr], [1, 'kerfway: ./mine.json: The option "machine" is "k40". Give a machine profile.\n']);
+    }
+  });
+
   it('verify, quote and calibrate did not count their drawing, limits and machine as inputs, and overwrote them', (t) => {
     const at = place(t);
     writeFileSync(join(at, 'a.dxf'), dxf(square(0, 0, 24), circle(40, 12, 5), circle(60, 12, 7)));

@@ -2,10 +2,11 @@
 
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { it } from 'node:test';
 import { Ajv2020 } from 'ajv/dist/2020.js';
+import { writeProject } from 'kerfway';
 import { circle, dxf, folder, kerfway, line, ROOT } from './support.mjs';
 
 /** A folder with a drawing of twelve holes, and the path of a file in it. */
@@ -175,5 +176,19 @@ it('a certificate whose drawing has a damaged name ended in an error of the engi
     writeFileSync(at('a.json'), `{"schema":"kerfway.certificate/1","drawing":{"name":"${name}"}}`);
     const { code, stderr } = await kerfway('verify', at('a.json'));
     assert.deepEqual([code, stderr], [1, `kerfway: ${at('a.json')} names no drawing: either it is no certificate, or give its drawing after it.\n`]);
+  }
+});
+
+it('a certificate of a project was said to be for another drawing when it was verified with that project', async (t) => {
+  const at = workshop(t);
+  const project = await writeProject({ name: 'plate.dxf', drawing: readFileSync(at('plate.dxf')), reading: {}, planning: {}, plan: null });
+  mkdirSync(at('saved'));
+  writeFileSync(at('saved/plate.kerfway'), project);
+  const planned = await kerfway('plan', at('saved/plate.kerfway'), '--moves', '1000', '--seed', '1', '--bound-work', '5', '--certificate', at('saved/plate.json'));
+  assert.equal(planned.code, 0, planned.stderr);
+  for (const drawing of [at('saved/plate.kerfway'), at('plate.dxf')]) {
+    const { code, stdout, stderr } = await kerfway('verify', at('saved/plate.json'), drawing);
+    assert.equal(code, 0, stderr);
+    assert.match(stdout, /^Proven: no plan of plate\.dxf on co2-100w takes less than /);
   }
 });

@@ -49,6 +49,7 @@ describe('a project', () => {
     const bad = [
       ['{ "schema": "kerfway.project/1", ', /it is not JSON, or only a part of it/],
       [{ ...good, schema: 'kerfway.project/9' }, /it is of the kind kerfway\.project\/9/],
+      [{ ...good, schema: { toString: 1 } }, /it is of the kind an object, and this version reads kerfway\.project\/1/],
       [{ ...good, drawing: undefined }, /its name or its drawing is missing/],
       [{ ...good, drawing: '!' }, /its drawing is damaged/],
       [{ ...good, drawing: good.drawing.slice(0, 40) }, /its drawing is damaged/],
@@ -112,5 +113,44 @@ describe('kerfway with a project', () => {
     const file = join(folder(t), 'bad.kerfway');
     writeFileSync(file, '{"schema":"kerfway.project/1"}');
     await assert.rejects(cli('plan', file), (error) => error.code === 1 && /bad\.kerfway: This project file cannot be used: its name or its drawing is missing/.test(error.stderr));
+  });
+
+  /** Its plan was kept, although it did not fit the machine any more, and nothing said how to start without it. */
+  it('was refused with options that change its machine, and plans with them from the beginning', async (t) => {
+    const file = join(folder(t), 'plate.kerfway');
+    const project = await planned();
+    writeFileSync(file, await writeProject({ ...project, planning: { machine: 'co2-100w' } }));
+    const searched = async (...args) => JSON.parse((await cli('plan', file, '--json', '-', '--quiet', ...args)).stdout).budget;
+    for (const changed of [['--lead', 'arc'], ['--joints', '2'], ['--moving-pierce', '1'], ['--no-return'], ['--method', 'greedy']]) {
+      assert.equal((await searched('--seconds', '0.1', ...changed)).seconds, 0.1, changed.join(' '));
+    }
+    // A machine of others needs a search of its own, too, which has ten seconds without a budget; another dialect does not.
+    assert.deepEqual(await searched('--dialect', 'linuxcnc-m67'), await searched());
+  });
+
+  it('whose machine is the name of a preset was planned on a machine without a name, and refused with options that change it', async (t) => {
+    const at = folder(t);
+    const saved = async (planning) => {
+      const file = join(at, 'plate.kerfway');
+      writeFileSync(file, await writeProject({ ...(await planned()), planning }));
+      return file;
+    };
+    const file = await saved({ machine: 'k40' });
+    assert.match((await cli('plan', file)).stdout, /; machine k40\n/);
+    assert.match((await cli('plan', file, '--moves', '10', '--kerf-width', '0.2')).stdout, /; machine k40\n/);
+    await assert.rejects(cli('plan', await saved({ machine: 'k41' })), (error) => error.code === 1 && /plate\.kerfway: its machine k41 is none of the presets, which are co2-100w, /.test(error.stderr));
+  });
+
+  it('was refused with another method because of its parameters, and on another machine because of its material', async (t) => {
+    const at = folder(t);
+    const project = { ...(await planned()), plan: null };
+    const file = join(at, 'plate.kerfway');
+    writeFileSync(file, await writeProject({ ...project, planning: { method: 'sga', parameters: { crossover: 0.5 } } }));
+    assert.match((await cli('plan', file, '--moves', '10', '--method', 'tour-tree')).stdout, /^Search {5}tour-tree, /m);
+    writeFileSync(file, await writeProject({ ...project, planning: { machine: 'k40', material: 'acrylic' } }));
+    await assert.rejects(cli('plan', file, '--moves', '10'), /has no setting for the material "acrylic"/);
+    const { stdout, stderr } = await cli('plan', file, '--moves', '10', '--machine', 'co2-100w');
+    assert.match(stdout, /; machine co2-100w\n/);
+    assert.match(stderr, /plate\.kerfway: the machine co2-100w has no setting for the project's material acrylic\. Its own speed and power are used\.\n/);
   });
 });

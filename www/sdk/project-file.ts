@@ -2,7 +2,7 @@
 
 import { base64 } from './base64.js';
 import { readBytes, viewed, type Bytes } from './bytes.js';
-import { isRecord } from './check.js';
+import { isRecord, shown } from './check.js';
 import { KerfwayError, notBytes } from './errors.js';
 import { checkOptions } from './options.js';
 import { asJson, withWarmPath } from './plain-data.js';
@@ -35,7 +35,7 @@ export async function readProject(file: Bytes): Promise<Project> {
   checkSize(bytes.byteLength);
   const document = parsed(bytes);
   const { schema, drawing } = document;
-  if (schema !== SCHEMA) throw unusable(`it is of the kind ${String(schema)}, and this version reads ${SCHEMA}`);
+  if (schema !== SCHEMA) throw unusable(`it is of the kind ${typeof schema === 'string' ? schema : shown(schema)}, and this version reads ${SCHEMA}`);
   if (typeof drawing !== 'string') throw unusable('its name or its drawing is missing');
   return { ...checked(document, unusable), drawing: await unpacked(drawing) };
 }

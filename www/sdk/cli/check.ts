@@ -5,7 +5,7 @@ import type { CheckProblem, MachineProfile, ProgramCheck } from '../protocol.js'
 import { parsed } from './arguments.js';
 import { eachFile } from './batch.js';
 import { outputsOf } from './destinations.js';
-import { bytesOf, nameOf, subject, Unusable, usable } from './io.js';
+import { bytesOf, goesOnWithoutReader, nameOf, subject, Unusable, usable } from './io.js';
 import { machineFiles, machineOf } from './machine.js';
 import type { Column } from './report.js';
 import { duration, meters, plural } from '../words.js';
@@ -13,6 +13,8 @@ import { duration, meters, plural } from '../words.js';
 export async function check(args: string[]): Promise<void> {
   const given = parsed('check', args, 'a G-code file');
   const outputs = outputsOf(given, ['json']);
+  // The exit code says whether all programs pass.
+  goesOnWithoutReader();
   const piped = outputs.some((output) => output.out === '-');
   const planner = await createPlanner();
   try {

@@ -7,7 +7,7 @@ import { mkdirSync } from 'node:fs';
 import { basename, extname, join } from 'node:path';
 import { text, type Words } from './arguments.js';
 import { writeAll } from './atomic.js';
-import { Unwritable, WrongUse } from './io.js';
+import { goesOnWithoutReader, Unwritable, WrongUse } from './io.js';
 import { identityOf, identityOfInput, lookAt, STANDARD_INPUT, STANDARD_OUTPUT } from './target.js';
 
 /** A requested output. */
@@ -42,6 +42,7 @@ export class Destinations {
     if (first !== undefined && second !== undefined) {
       throw new WrongUse(`--${first.kind} and --${second.kind} cannot both go to standard output.`);
     }
+    if (outputs.some((o) => o.out !== STANDARD_OUTPUT)) goesOnWithoutReader();
   }
 
   /** Whether standard output has data for a program. Text for people then goes to standard error. */

@@ -9,7 +9,6 @@ import { endless, MAX_BYTES, tooLarge } from '../size.js';
 import { isPattern } from './glob.js';
 import { visibleText } from './safe-text.js';
 import { STANDARD_INPUT, STANDARD_OUTPUT } from './target.js';
-import { writing } from './temporary.js';
 
 /** The exit codes of the program. `some`: of several files, some failed and the others were processed; `all`: all of several failed. */
 export const EXIT = { unusable: 1, wrongUse: 2, unwritable: 3, some: 4, all: 5 } as const;
@@ -167,9 +166,17 @@ export function unwritable(out: string, error: unknown, kept = ''): Unwritable {
   return new Unwritable(`${out === STANDARD_OUTPUT ? 'Standard output' : out} cannot be written: ${why}. ${kept}${remedy}`);
 }
 
-/** Handles a reader of standard output that has closed it (`| head`). This is not a failure, and ends the program unless a file is being written. */
+/** Whether the work is for more than the reader of standard output: files are written, or the exit code is a verdict. */
+let isForOthers = false;
+
+/** From now on the work goes on when the reader of standard output has gone. */
+export function goesOnWithoutReader(): void {
+  isForOthers = true;
+}
+
+/** Handles a reader of standard output that has closed it (`| head`). This is not a failure, and ends the program if its work was for that reader only. */
 export function readerLeft(): void {
-  if (!writing()) process.exit();
+  if (!isForOthers) process.exit();
 }
 
 /** Awaits work of the planner, whose errors are about the input. `written` puts a sentence into the words of the command line. */

@@ -2,7 +2,7 @@
 
 import type { Planner } from '../node.js';
 import { reportOf } from '../errors.js';
-import { checkMachine } from '../options.js';
+import { checkProfile } from '../options.js';
 import type { Corners, Dialect, Heat, MachineProfile, Tips } from '../protocol.js';
 import { CORNER_KINDS } from '../corners.js';
 import { JOINT_KINDS, JOINT_SIDES, jointRules, SIZE_TESTS, type JointPattern } from '../joints.js';
@@ -75,7 +75,7 @@ function measured<T extends Record<string, string>>(values: Words['values'], set
 
 /** The machine, if its fields are right; otherwise an option is wrong. */
 function valid(values: Words['values'], machine: MachineProfile): MachineProfile {
-  return checkedAsWritten(values, () => (checkMachine(machine), machine));
+  return checkedAsWritten(values, () => (checkProfile(machine), machine));
 }
 
 /** A size in x and y: one number for both, or two. */
@@ -225,10 +225,10 @@ async function json(word: string, remedy: string): Promise<unknown> {
   }
 }
 
-/** Checks a machine that comes from a file. */
+/** Checks a machine that comes from a file, which the name of a preset is not. */
 function checkFrom(file: string, machine: unknown): void {
   try {
-    checkMachine(machine);
+    checkProfile(machine);
   } catch (error) {
     throw new Unusable(`${file}: ${(error as Error).message}`, reportOf(error));
   }

@@ -6,7 +6,7 @@ import { checkOptions, DEFAULT_SECONDS, given } from '../options.js';
 import { bounded } from '../bound.js';
 import type { SavedPlan } from '../project.js';
 import { createPlanner, type Planner, type PlanResult } from '../node.js';
-import type { FindingCode, Loaded, MachineProfile, PlanOptions, Proof, ProofBudget } from '../protocol.js';
+import type { FindingCode, Loaded, PlanOptions, Proof, ProofBudget } from '../protocol.js';
 import type { ProofHandle } from '../prover.js';
 import { loadOptions, number, oneOf, parameters, placingOptions, seconds, text, whole, type Words } from './arguments.js';
 import { machineFiles, machineOf } from './machine.js';
@@ -14,6 +14,7 @@ import { checkedAsWritten, leversAsWritten } from './as-written.js';
 import { eachFile, type Requested, type Outlet, type Place } from './batch.js';
 import { untilInterrupted } from './interrupt.js';
 import { nameOf, Unusable, usable } from './io.js';
+import { type Decided, ofProject } from './of-project.js';
 import { opened } from './opened.js';
 import { progressLine } from './progress.js';
 import { complain } from './safe-text.js';
@@ -60,12 +61,10 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
       refuseDoubt(file, loaded, words, requested.outputs);
       // The report counts the others, unless there is none.
       if (quiet) warn(file, ofDrawing(loaded).filter((f) => !decides(f) && !(loaded.units.doubtful && UNITS.includes(f.code))));
-      const { seconds: _, moves: __, ...decided } = project.planning;
+      const { decided, plan } = await ofProject(file, project, values, load, planner);
       const chosen = { ...decided, ...budget, ...(await choices(words, planner, !isQuote, decided)) };
-      const isAsSaved = Object.keys(load).length === 0 && values['machine'] === undefined && values['material'] === undefined;
       // A quote starts without the plan of the project, because others must be able to make it from the drawing alone.
-      const plan = isAsSaved && !isQuote ? project.plan : null;
-      const search = budgeted({ ...chosen, ...continuing(plan, budget) }, loaded, requested.defaultBudget);
+      const search = budgeted({ ...chosen, ...continuing(isQuote ? null : plan, budget) }, loaded, requested.defaultBudget);
       const planned = searched(planner, search, proving, { file, place, quiet, outputs: requested.outputs.map(({ kind }) => kind) });
       const { result, proof } = await usable(file, planned, (sentence) => leversAsWritten(values, sentence));
       // The report of a quote sums them up in its confidence, and where the job lies changes no figure of it.
@@ -95,7 +94,7 @@ function continuing(plan: SavedPlan | null, budget: PlanOptions): PlanOptions {
 }
 
 /** What the options choose. `requires`: a material must be a setting of the machine's library. `project`: what a project has chosen. */
-async function choices({ values }: Words, planner: Planner, requires: boolean, project: PlanOptions = {}): Promise<PlanOptions> {
+async function choices({ values }: Words, planner: Planner, requires: boolean, project: Decided = {}): Promise<PlanOptions> {
   const options: PlanOptions = {};
   const method = text(values, 'method');
   const own = planner.methods.map((m) => m.name);
@@ -105,7 +104,7 @@ async function choices({ values }: Words, planner: Planner, requires: boolean, p
     const papers = own.includes(method) ? [] : (await planner.paperMethods()).map((m) => m.name);
     options.method = oneOf('--method', method, [...own, ...papers]);
   }
-  const machine = await machineOf({ words: [], values }, planner, project.machine as MachineProfile | undefined);
+  const machine = await machineOf({ words: [], values }, planner, project.machine);
   options.machine = values['no-return'] === true ? { ...machine, return_home: false } : machine;
   const material = text(values, 'material');
   // A quote may name a material for a machine without a library: its report says so.

@@ -11,12 +11,6 @@ const SIGNALS = ['SIGINT', 'SIGTERM', 'SIGHUP'] as const;
 
 /** The temporary files that may exist now. */
 const files = new Set<string>();
-let active = false;
-
-/** Whether outputs are being written. */
-export function writing(): boolean {
-  return active;
-}
 
 /** A new name in the folder of a file. It is hidden and does not match patterns of drawings. */
 export function temporaryBeside(path: string): string {
@@ -42,7 +36,6 @@ export function remove(file: string): void {
 
 /** Runs work that makes temporary files, and removes those that are left. */
 export async function withTemporaries(work: () => Promise<void>): Promise<void> {
-  active = true;
   listen();
   try {
     await work();
@@ -50,7 +43,6 @@ export async function withTemporaries(work: () => Promise<void>): Promise<void> 
     removeAll();
     // A signal that arrived during the work is handled before the listeners are removed.
     await turn();
-    active = false;
     unlisten();
   }
 }

@@ -5,8 +5,9 @@ import { createPlanner } from '../node.js';
 import type { MachineProfile, Verified } from '../protocol.js';
 import { parsed, text, type Words } from './arguments.js';
 import { Destinations, outputsOf } from './destinations.js';
-import { bytesOf, subject, textOf, Unusable, WrongUse } from './io.js';
+import { subject, textOf, Unusable, WrongUse } from './io.js';
 import { machineFiles, machineOf } from './machine.js';
+import { opened } from './opened.js';
 import { say } from './report.js';
 import { loadedResearch } from './research.js';
 
@@ -20,11 +21,11 @@ export async function verify(args: string[]): Promise<void> {
   const beside = drawing ?? besideCertificate(file, certificate);
   const destinations = new Destinations(outputs, [beside, ...files]);
   destinations.begin([file]);
-  const bytes = await (drawing === undefined ? orGiven(bytesOf(beside)) : bytesOf(drawing));
+  const project = await (drawing === undefined ? orGiven(opened(beside)) : opened(drawing));
   const research = await loadedResearch();
   let verified: Verified;
   try {
-    verified = research.verifyCertificate(certificate, bytes, machine);
+    verified = research.verifyCertificate(certificate, project.drawing, machine);
   } catch (error) {
     throw new Unusable(`${subject(file)} proves nothing: ${(error as Error).message}`);
   }
@@ -53,7 +54,7 @@ function besideCertificate(file: string, certificate: string): string {
   }
 }
 
-async function orGiven(read: Promise<Uint8Array>): Promise<Uint8Array> {
+async function orGiven<T>(read: Promise<T>): Promise<T> {
   try {
     return await read;
   } catch (error) {

@@ -1,0 +1,49 @@
+/** What of a project counts beside the options of a command, which overrule it. A drawing is a project in which nothing is decided. */
+
+import type { Planner } from '../node.js';
+import { given } from '../options.js';
+import type { Project, SavedPlan } from '../project.js';
+import type { LoadOptions, MachineProfile, PlanOptions } from '../protocol.js';
+import type { Words } from './arguments.js';
+import { Unusable } from './io.js';
+import { machineOf } from './machine.js';
+import { complain } from './safe-text.js';
+import { asGiven } from './warnings.js';
+
+type Values = Words['values'];
+
+/** What was decided for the plan, with the machine as a profile. */
+export type Decided = PlanOptions & { machine?: MachineProfile };
+
+/** What the options leave of a project: what was decided about planning, and its plan, if that is still one of the same job. */
+export async function ofProject(file: string, project: Project, values: Values, load: LoadOptions, planner: Planner): Promise<{ decided: Decided; plan: SavedPlan | null }> {
+  const { seconds: _, moves: __, ...planning } = project.planning;
+  const machine = machineOfProject(file, planning.machine, planner);
+  const decided: Decided = given({ ...planning, machine }) as Decided;
+  // Parameters are those of one method, and a material is one of a machine's library.
+  if (values['method'] !== undefined) delete decided.parameters;
+  if (decided.material !== undefined && values['machine'] !== undefined && values['material'] === undefined) {
+    const { name, materials } = await machineOf({ words: [], values }, planner);
+    if (materials?.some((m) => m.name === decided.material) !== true) {
+      complain(`${asGiven(file)}: the machine ${name} has no setting for the project's material ${decided.material}. Its own speed and power are used.`);
+      delete decided.material;
+    }
+  }
+  const isOfSameJob = Object.keys(load).length === 0 && values['material'] === undefined && values['method'] === undefined && (await keepsMachine(values, planner, machine));
+  return { decided, plan: isOfSameJob ? project.plan : null };
+}
+
+/** The machine of a project. The page saves a whole profile; others may name a preset. */
+function machineOfProject(file: string, machine: PlanOptions['machine'], { machines }: Planner): MachineProfile | undefined {
+  if (typeof machine !== 'string') return machine;
+  const preset = machines.find((m) => m.name === machine);
+  if (preset === undefined) throw new Unusable(`${asGiven(file)}: its machine ${machine} is none of the presets, which are ${machines.map((m) => m.name).join(', ')}.`);
+  return preset;
+}
+
+/** Whether the options leave the machine as it is, but for its dialect, which changes no path. A machine that no option changes is handed on as it is. */
+async function keepsMachine({ dialect: _, ...values }: Values, planner: Planner, own: MachineProfile | undefined): Promise<boolean> {
+  if (values['machine'] !== undefined || values['no-return'] === true) return false;
+  const [changed, same] = await Promise.all([values, {}].map((of) => machineOf({ words: [], values: of }, planner, own)));
+  return changed === same;
+}
