@@ -176,6 +176,21 @@ describe('<kerfway-planner>', () => {
     assert.deepEqual((await events(page)).filter((e) => e === 'error'), []);
   });
 
+  it('rendered the plan of the next drawing, where that was opened before the rendering of this one had ended', async (t) => {
+    const { page } = await open(t);
+    const [plates, rings] = [40, 20].map((size) => dxf(square(0, 0, 100), circle(50, 50, size)));
+    const { render, second } = await page.evaluate(async ({ first, second }) => {
+      const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+      const planner = document.querySelector('kerfway-planner');
+      await planner.open(bytes(first), 'first.dxf');
+      const render = planner.render('dxf').then((text) => text, (error) => error.name);
+      const { loaded, outputs } = await planner.open(bytes(second), 'second.dxf');
+      return { render: await render, second: [loaded.name, outputs.gcode.length > 0, (await planner.render('dxf')).length > 0] };
+    }, { first: base64(plates), second: base64(rings) });
+    assert.equal(render, 'AbortError');
+    assert.deepEqual(second, ['second.dxf', true, true]);
+  });
+
   it('ends its worker when it is taken out of the page', async (t) => {
     const { page } = await open(t, 'seconds="60" allow-off-bed');
     await choose(page, 'keyboard.dxf', bytes(KEYBOARD));

@@ -173,6 +173,21 @@ describe('<kerfway-quote>', () => {
     assert.ok(Math.abs(second.weight / (NET / 1000) - 1) < 1e-9);
   });
 
+  it('told its host the report of the drawing before, once another one had been opened, and was done while that was being read', async (t) => {
+    const { page } = await open(t, 'thickness="3" density="7.85" moves="100" seed="1"');
+    const told = await page.evaluate(async ({ first, second }) => {
+      const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+      const element = document.querySelector('kerfway-quote');
+      await element.open(bytes(first), 'first.dxf');
+      const told = [];
+      for (const type of ['result', 'error']) element.addEventListener(type, ({ detail }) => told.push([type, detail.input?.name ?? detail.code, element.state]));
+      element.setAttribute('thickness', '6');
+      const { material } = await element.open(bytes(second), 'second.dxf');
+      return [...told, material.thickness];
+    }, { first: base64(PLATE), second: base64(bytes(PLATES)) });
+    assert.deepEqual(told, [['result', 'second.dxf', 'done'], 6]);
+  });
+
   it('says in one sentence what it cannot use, and the price function may fail, too', async (t) => {
     const { page } = await open(t);
     await choose(page, 'empty.dxf', new Uint8Array(0));

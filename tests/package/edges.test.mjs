@@ -228,3 +228,30 @@ describe('where planners run', () => {
     }
   });
 });
+
+describe('options that cannot be read', () => {
+  /** Their promise is the only place where a caller looks for errors. */
+  it('threw before there was a promise, where their path could not be read', async () => {
+    const own = new Error('mine');
+    const options = { get warm() { throw own; } };
+    for (const call of [plan, quote]) {
+      const run = call(PLATE, options);
+      await assert.rejects(run, own);
+    }
+  });
+
+  it('ended in an error of the engine for a signal that cannot be asked, as those of old replacements for AbortSignal', async () => {
+    const { signal } = new AbortController();
+    const old = { aborted: false, addEventListener: signal.addEventListener.bind(signal) };
+    for (const call of [plan, quote]) await refused(() => call(PLATE, { signal: old }), 'wrong-type', 'signal');
+    assert.equal((await plan(PLATE, { ...SHORT, signal })).reason, 'budget');
+  });
+});
+
+describe('bytes', () => {
+  it('that only look like a buffer, or are behind a proxy, were refused by their size, or by the engine', async () => {
+    for (const bytes of [new Proxy(new ArrayBuffer(8), {}), { [Symbol.toStringTag]: 'ArrayBuffer' }, { [Symbol.toStringTag]: 'SharedArrayBuffer', byteLength: 8 }]) {
+      await assert.rejects(plan(bytes, SHORT), (error) => error instanceof TypeError && error.code === 'not-bytes');
+    }
+  });
+});

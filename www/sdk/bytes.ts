@@ -37,12 +37,12 @@ export function viewed(given: unknown): ArrayBuffer | Uint8Array | null {
   const isBuffer = tag === '[object ArrayBuffer]' || tag === '[object SharedArrayBuffer]';
   try {
     if (ArrayBuffer.isView(given)) return new Uint8Array(given.buffer, given.byteOffset, given.byteLength);
-    if (isBuffer) new Uint8Array(given as ArrayBuffer);
+    // What only has the tag of a buffer has another length, or none.
+    if (isBuffer && new Uint8Array(given as ArrayBuffer).byteLength === (given as ArrayBuffer).byteLength) return given as ArrayBuffer;
   } catch {
-    // A buffer that was given to another thread holds no bytes any more.
-    return null;
+    // A buffer that was given to another thread holds no bytes any more, and a proxy of a buffer cannot be read.
   }
-  return isBuffer ? (given as ArrayBuffer) : null;
+  return null;
 }
 
 type Holder = ByteHolder & Record<string, unknown>;

@@ -104,7 +104,7 @@ function checkValue(shape: Shape, path: string, { kind, nullable }: Pick<Field, 
     if (typeof value !== 'function') throw fail('Give a function.');
   } else if (kind === 'signal') {
     // Recognised by its members, because a signal may come from another frame or context.
-    if (!isRecord(value) || typeof value['aborted'] !== 'boolean' || typeof value['addEventListener'] !== 'function') throw fail('Give the signal of an AbortController.');
+    if (!isRecord(value) || typeof value['aborted'] !== 'boolean' || typeof value['addEventListener'] !== 'function' || typeof value['throwIfAborted'] !== 'function') throw fail('Give the signal of an AbortController.');
   } else if ('choice' in kind) {
     if (!kind.choice.includes(value as string)) throw refused(shape, path, value, `Choose one of: ${kind.choice.join(', ')}.`, 'not-a-choice', { choices: [...kind.choice] });
   } else if ('number' in kind) {

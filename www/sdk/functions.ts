@@ -118,7 +118,7 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
     },
 
     plan<K extends OutputKind = never>(source: Source, given: PlanJobOptions<K> = {}) {
-      let options = withWarmPath(given);
+      let options = given;
       let stop: (() => void) | null = null;
       let stopped = false;
       const stopSearch = () => {
@@ -147,7 +147,7 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
       };
       const run = async () => {
         try {
-          options = checkOptions(options, 'plan');
+          options = checkOptions(withWarmPath(given), 'plan');
           const byDefault = options.moves === undefined ? DEFAULT_SECONDS : 0;
           const planned = await withPlanner(work, options.signal, options.seconds ?? byDefault);
           stream.end();
@@ -162,7 +162,7 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
     },
 
     quote(source: Source, given: QuoteOptions = {}, ownBudget: DefaultBudget = quoteBudget) {
-      let options = withWarmPath(given);
+      let options = given;
       const work = async (planner: Planner) => {
         const loaded = await loadedBy(planner, source, options);
         const { material, ...rest } = options;
@@ -170,7 +170,7 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
         return reported(planner, budgeted({ ...rest, ...setting }, loaded, ownBudget), terms(options), options.onProgress);
       };
       return quietAtClose(async () => {
-        options = checkOptions(options, 'quote');
+        options = checkOptions(withWarmPath(given), 'quote');
         return withPlanner(work, options.signal, options.seconds);
       });
     },

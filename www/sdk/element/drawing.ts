@@ -200,6 +200,11 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
     return this.planner;
   }
 
+  /** Aborts when another drawing takes the place of this one, and when the element leaves its page. */
+  protected get replaced(): AbortSignal | undefined {
+    return this.job?.control.signal;
+  }
+
   protected finish(result: Result): void {
     this.result = result;
     this.become('done', this.job?.words ?? '');

@@ -5,6 +5,7 @@ import type { Planned, PlanRun } from '../functions.js';
 import type { Source } from '../bytes.js';
 import type { PlanJobOptions } from '../options.js';
 import type { OutputKind, Progress } from '../protocol.js';
+import { abortable } from '../with-planner.js';
 import { DrawingElement, type DrawingEvents, type ElementState } from './drawing.js';
 import { PLANNER } from './looks.js';
 
@@ -26,10 +27,11 @@ export class KerfwayPlanner extends DrawingElement<Planned<'gcode'>, 'gcode'> {
     super(PLANNER, 'Download G-code');
   }
 
-  /** Writes the finished plan in another format; see `render`. */
+  /** Writes the finished plan in another format; see `render`. Rejects when another drawing is opened before. */
   async render(kind: Exclude<OutputKind, 'json'>, options: { width?: number } = {}): Promise<string | Uint8Array> {
     if (this.result === null || this.source === null) throw new KerfwayError('no-plan', 'There is no plan yet. Open a drawing first.');
-    return this.functions().render(this.source, this.result, kind, options);
+    // The planner is that of the next drawing as well.
+    return abortable(this.functions().render(this.source, this.result, kind, options), this.replaced);
   }
 
   protected plan(source: Source, options: PlanJobOptions): PlanRun<'gcode'> {

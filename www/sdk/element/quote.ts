@@ -88,16 +88,16 @@ export class KerfwayQuote extends DrawingElement<Quote, never> {
       this.open(this.source, this.loaded?.name).catch(() => {});
       return;
     }
-    const number = this.requested;
-    this.reported().then(
+    const [number, { replaced }] = [this.requested, this];
+    this.reported(replaced).then(
       (quote) => this.finish(quote),
       (error: unknown) => {
-        if (number + 1 === this.requested) this.fail(error);
+        if (number + 1 === this.requested && replaced?.aborted !== true) this.fail(error);
       },
     );
   }
 
-  private async reported(signal?: AbortSignal): Promise<Quote> {
+  private async reported(signal: AbortSignal | undefined): Promise<Quote> {
     const number = (this.requested += 1);
     const planner = await this.opened();
     const quote = await abortable(planner.quote({ material: this.material }), signal);
