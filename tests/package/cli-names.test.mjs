@@ -83,6 +83,15 @@ describe('an output that is another file of the same run is wrong usage, and not
     assert.equal(run(at, ['plan', './-a.dxf', ...QUICK]).status, 0);
   });
 
+  it('a file named -h showed the help, although it followed --', (t) => {
+    const at = place(t);
+    for (const name of ['-h', '--help']) {
+      writeFileSync(join(at, name), dxf(circle(0, 0, 5)));
+      assert.match(run(at, ['inspect', '--', name]).stdout, new RegExp(`^${name}, 10\\.0 x 10\\.0 mm\\n`));
+      assert.match(run(at, ['inspect', name, '--', name]).stdout, /^kerfway inspect: describe the drawing/);
+    }
+  });
+
   it('a machine file counts as an input', (t) => {
     const at = place(t);
     const { machine } = JSON.parse(run(at, ['plan', 'a.dxf', ...QUICK, '--json', '-']).stdout);

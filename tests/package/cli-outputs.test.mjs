@@ -192,6 +192,22 @@ describe('outputs of one drawing', () => {
     assert.deepEqual(readdirSync(to).sort(), ['.kerfway-lock.tmp', 'a.json', 'a.nc']);
   });
 
+  it('that cannot be written were refused after the whole search, which was lost', async (t) => {
+    const from = inputs(t);
+    const drawing = join(from, 'a.dxf');
+    for (const [out, sentence] of [
+      [join(from, 'gone', 'x.nc'), /x\.nc cannot be written: there is no such folder\. No file was changed\. Name another place\.$/m],
+      [join(drawing, 'x.nc'), /x\.nc cannot be written: there is no such folder\./],
+      [`${join(drawing, 'sub')}/`, /sub\/ cannot be made: the system does not allow this folder\./],
+    ]) {
+      const begun = performance.now();
+      const { code, stderr } = await run(['plan', drawing, '--seconds', '60', '--gcode', out]);
+      assert.equal(code, 3, stderr);
+      assert.match(stderr, sentence);
+      assert.ok(performance.now() - begun < 30_000, 'no search is waited for');
+    }
+  });
+
   it('are written even if the reader of standard output stops', { skip: !POSIX && 'there is no shell' }, async (t) => {
     const [from, to] = [inputs(t), folder(t)];
     const program = join(to, 'a.nc');

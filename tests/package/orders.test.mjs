@@ -148,6 +148,14 @@ describe('baskets and price breaks', () => {
       assert.equal((await kerfway(...words, ...wrong)).code, exit, wrong.join(' '));
     }
   });
+
+  it('were refused without a gap between the parts, which the package takes', async (t) => {
+    const file = join(folder(t), 'plate.dxf');
+    writeFileSync(file, dxf(square(0, 0, 100)));
+    // 10 x 10 of them fill the sheet within its edge of 10 mm.
+    const sheets = async (gap) => /^100 copies .* about (\d+) sheets?$/m.exec((await kerfway('quote', file, '--units', 'mm', '--moves', '10', '--seed', '1', '--quantity', '100', '--sheet', '1020x1020', '--gap', gap)).stdout)?.[1];
+    assert.deepEqual([await sheets('0'), await sheets('0.5')], ['1', '2']);
+  });
 });
 
 describe('the estimate of sheets', () => {

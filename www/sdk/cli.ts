@@ -32,7 +32,9 @@ async function main([command, ...rest]: string[]): Promise<void> {
     await print(`${await version()}\n`);
   } else {
     const about = known(command);
-    if (rest.includes('--help') || rest.includes('-h')) await print(manual(command, about));
+    // What follows -- are names of files.
+    const options = rest.slice(0, rest.includes('--') ? rest.indexOf('--') : undefined);
+    if (options.includes('--help') || options.includes('-h')) await print(manual(command, about));
     else await (await RUNS[command]?.())?.(rest);
   }
 }

@@ -10,7 +10,7 @@
 import {
   accessSync, closeSync, constants, fchmodSync, fchownSync, fstatSync, fsyncSync, linkSync, openSync, renameSync, rmSync, writeSync, type BigIntStats,
 } from 'node:fs';
-import { dirname } from 'node:path';
+import { dirname, sep } from 'node:path';
 import { send, unwritable } from './io.js';
 import { locked } from './lock.js';
 import { STANDARD_OUTPUT, targetOf, type Target } from './target.js';
@@ -18,6 +18,9 @@ import { temporaryBeside, turn, withTemporaries } from './temporary.js';
 
 /** Permission bits of a file's mode, and those of setuid, setgid and the sticky bit. */
 const PERMISSIONS = 0o7777n;
+
+/** What a failure leaves, in a sentence. */
+const UNCHANGED = 'No file was changed. ';
 
 /** Data to write, and the file name that the person gave. */
 export interface Writing {
@@ -55,9 +58,20 @@ export async function writeAll(writings: readonly Writing[]): Promise<void> {
         rename(prepared, (current) => (out = current));
       });
     } catch (error) {
-      throw unwritable(out, error, 'No file was changed. ');
+      throw unwritable(out, error, UNCHANGED);
     }
   });
+}
+
+/** Fails as `writeAll` would, if this output cannot be written as things are now: no search is made for nothing. */
+export function checkWritable(out: string): void {
+  try {
+    const { path, stat, replaceable } = targetOf(out);
+    if (stat !== null) accessSync(path, constants.W_OK);
+    if (replaceable) accessSync(`${dirname(path)}${sep}.`, constants.W_OK);
+  } catch (error) {
+    throw unwritable(out, error, UNCHANGED);
+  }
 }
 
 function prepare({ path, stat }: Target, data: string | Uint8Array): string {

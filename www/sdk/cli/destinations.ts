@@ -3,10 +3,10 @@
  * standard output. An output must not be a file that is read, or the file of another output; this is checked before planning.
  */
 
-import { mkdirSync } from 'node:fs';
-import { basename, extname, join } from 'node:path';
+import { accessSync, constants, mkdirSync } from 'node:fs';
+import { basename, dirname, extname, join, resolve, sep } from 'node:path';
 import { text, type Words } from './arguments.js';
-import { writeAll } from './atomic.js';
+import { checkWritable, writeAll } from './atomic.js';
 import { goesOnWithoutReader, Unwritable, WrongUse } from './io.js';
 import { identityOf, identityOfInput, lookAt, STANDARD_INPUT, STANDARD_OUTPUT } from './target.js';
 
@@ -33,6 +33,8 @@ export function outputsOf<Kind extends string>({ values }: Words, kinds: readonl
 const ENDINGS: Record<string, string> = { gcode: '.nc', json: '.json', svg: '.svg', dxf: '.dxf', png: '.png', lbrn2: '.lbrn2', rd: '.rd', remainder: '.remainder.dxf', report: '.html', certificate: '.certificate.json' };
 
 export class Destinations {
+  private begun = false;
+
   /** `inputs`: files that are read in addition to the drawings. */
   constructor(
     private readonly outputs: readonly Output[],
@@ -59,6 +61,13 @@ export class Destinations {
       }
     }
     this.refuseClashes(files);
+    // Once: while files are watched, a folder may go and come back.
+    if (this.begun) return;
+    this.begun = true;
+    for (const output of this.outputs.filter(({ out }) => out !== STANDARD_OUTPUT)) {
+      if (lookAt(output.out) === null && isFolder(output.out)) refuseNoFolder(output.out);
+      else for (const file of files) checkWritable(placeOf(output, file));
+    }
   }
 
   /** Writes all outputs of a drawing, or none of them. */
@@ -101,7 +110,20 @@ function makeFolder(folder: string): void {
   try {
     mkdirSync(folder, { recursive: true });
   } catch {
-    throw new Unwritable(`${folder} cannot be made: the system does not allow this folder. Name another folder.`);
+    throw noFolder(folder);
+  }
+}
+
+const noFolder = (folder: string) => new Unwritable(`${folder} cannot be made: the system does not allow this folder. Name another folder.`);
+
+/** Refuses a folder that is not there and cannot be made. */
+function refuseNoFolder(folder: string): void {
+  let above = resolve(folder);
+  while (lookAt(above) === null && above !== dirname(above)) above = dirname(above);
+  try {
+    accessSync(`${above}${sep}.`, constants.W_OK);
+  } catch {
+    throw noFolder(folder);
   }
 }
 

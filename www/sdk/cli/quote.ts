@@ -7,7 +7,7 @@ import { checkOptions } from '../options.js';
 import type { Limits, Material, Quote, QuoteTerms } from '../quote.js';
 import { quoteBudget } from '../quote-budget.js';
 import type { Stock } from '../sheets.js';
-import { parsed, positive, text, type Words } from './arguments.js';
+import { number, parsed, positive, text, type Words } from './arguments.js';
 import { checkedAsWritten } from './as-written.js';
 import { outputsOf } from './destinations.js';
 import { subject, textOf, Unusable, usable, WrongUse } from './io.js';
@@ -82,7 +82,7 @@ interface Order {
 
 function orderOf({ values }: Words): Order {
   const quantities = ((values['quantity'] as string[] | undefined) ?? []).map((word, k) => checkedAsWritten(values, () => checkQuantity(`quantity[${k}]`, Number(word)), { quantity: 'quantity' }));
-  const [sheet, gap] = [text(values, 'sheet'), positive(values, 'gap')];
+  const [sheet, gap] = [text(values, 'sheet'), number(values, 'gap')];
   if (sheet === undefined) {
     if (gap !== undefined) throw new WrongUse('--gap is for sheets: give their size as well, --sheet 3000x1500.');
     return { quantities };
