@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { promisify } from 'node:util';
 import { isProject, plan, readProject, writeProject } from 'kerfway';
-import { circle, dxf, folder, ROOT, square } from './support.mjs';
+import { bytes, circle, dxf, folder, ROOT, square } from './support.mjs';
 
 const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10), circle(20, 20, 5));
 const CLI = join(ROOT, 'dist', 'sdk', 'cli.js');
@@ -139,6 +139,24 @@ describe('kerfway with a project', () => {
     assert.match((await cli('plan', file)).stdout, /; machine k40\n/);
     assert.match((await cli('plan', file, '--moves', '10', '--kerf-width', '0.2')).stdout, /; machine k40\n/);
     await assert.rejects(cli('plan', await saved({ machine: 'k41' })), (error) => error.code === 1 && /plate\.kerfway: its machine k41 is none of the presets, which are co2-100w, /.test(error.stderr));
+  });
+
+  it('was refused with another unit than it was read in, and kept its border and its own lists of contours against the options', async (t) => {
+    const file = join(folder(t), 'plate.kerfway');
+    const read = async (drawing, reading, ...args) => {
+      writeFileSync(file, await writeProject({ name: 'plate', drawing, reading, planning: {}, plan: null }));
+      return JSON.parse((await cli('inspect', file, '--json', '-', ...args)).stdout);
+    };
+    const svg = text('<svg xmlns="http://www.w3.org/2000/svg"><rect x="1" y="1" width="50" height="50"/></svg>');
+    assert.equal((await read(svg, { dpi: 72 }, '--units', 'mm')).units.unit, 'mm');
+    assert.deepEqual((await read(svg, { units: 'mm' }, '--dpi', '96')).units.dpi, 96);
+    const sheet = bytes('sheets/sheet_100.dxf');
+    const contours = async (reading, ...args) => (await read(sheet, reading, ...args)).totals.closed;
+    assert.deepEqual([await contours({ keepBorder: true }), await contours({ keepBorder: true }, '--ignore-border')], [101, 100]);
+    assert.deepEqual([await contours({ ignoreOutline: true }), await contours({ ignoreOutline: true }, '--keep-border')], [100, 101]);
+    const operation = async (reading, ...args) => (await read(PLATE, { units: 'mm', ...reading }, ...args)).contours.map((c) => c.operation);
+    assert.deepEqual(await operation({ exclude: [1] }, '--mark', '1'), await operation({}, '--mark', '1'));
+    assert.deepEqual(await operation({ mark: [1, 2] }, '--exclude', '1'), await operation({ mark: [2] }, '--exclude', '1'));
   });
 
   it('was refused with another method because of its parameters, and on another machine because of its material', async (t) => {

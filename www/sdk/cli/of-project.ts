@@ -15,6 +15,24 @@ type Values = Words['values'];
 /** What was decided for the plan, with the machine as a profile. */
 export type Decided = PlanOptions & { machine?: MachineProfile };
 
+/** Of two of these only one can be chosen. */
+const CONTRARY = [['units', 'dpi'], ['keepBorder', 'ignoreOutline']] as const;
+/** A contour can be in one of two of these. */
+const LISTS = [['first', 'last'], ['exclude', 'mark']] as const;
+
+/** How the drawing of a project is read: as the project says, and as the options say, which overrule it. */
+export function readingOf({ reading }: Project, load: LoadOptions): LoadOptions {
+  const own = { ...reading };
+  for (const [one, other] of CONTRARY.flatMap(both)) if (load[one] !== undefined) delete own[other];
+  for (const [one, other] of LISTS.flatMap(both)) {
+    const left = own[other]?.filter((contour) => load[one]?.includes(contour) !== true);
+    if (left !== undefined) own[other] = left;
+  }
+  return { ...own, ...load };
+}
+
+const both = <T>([one, other]: readonly [T, T]): (readonly [T, T])[] => [[one, other], [other, one]];
+
 /** What the options leave of a project: what was decided about planning, and its plan, if that is still one of the same job. */
 export async function ofProject(file: string, project: Project, values: Values, load: LoadOptions, planner: Planner): Promise<{ decided: Decided; plan: SavedPlan | null }> {
   const { seconds: _, moves: __, ...planning } = project.planning;

@@ -14,7 +14,7 @@ import { checkedAsWritten, leversAsWritten } from './as-written.js';
 import { eachFile, type Requested, type Outlet, type Place } from './batch.js';
 import { untilInterrupted } from './interrupt.js';
 import { nameOf, Unusable, usable } from './io.js';
-import { type Decided, ofProject } from './of-project.js';
+import { type Decided, ofProject, readingOf } from './of-project.js';
 import { opened } from './opened.js';
 import { progressLine } from './progress.js';
 import { complain } from './safe-text.js';
@@ -55,7 +55,7 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
     await choices(words, planner, !isQuote);
     await eachFile(words, { ...requested, inputs: [...(requested.inputs ?? []), ...machineFiles(words, planner)] }, async (file, place, to) => {
       const project = await opened(file);
-      const loaded = await usable(file, planner.load(project.drawing, project.name, { ...project.reading, ...load }));
+      const loaded = await usable(file, planner.load(project.drawing, project.name, readingOf(project, load)));
       // What decides on what is cut is reported here and not only by `inspect`: misspelt layers, borders, lettering.
       for (const { message } of loaded.findings.filter(decides)) complain(`${asGiven(file)}: ${message}`);
       refuseDoubt(file, loaded, words, requested.outputs);

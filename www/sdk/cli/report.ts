@@ -24,7 +24,7 @@ export class Report {
   ) {}
 
   begin(files: readonly string[]): void {
-    this.columns = [{ title: 'File', width: Math.max(4, ...files.map((f) => visible(f).length)) }, ...this.others];
+    this.columns = [{ title: 'File', width: files.reduce((most, f) => Math.max(most, visible(f).length), 4) }, ...this.others];
   }
 
   /** `under`: lines that have no column. */
