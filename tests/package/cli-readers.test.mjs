@@ -43,4 +43,9 @@ describe('a reader of standard output that has gone', { skip: process.platform =
     assert.equal(code, 0);
     assert.doesNotMatch(stderr, /c\.dxf/);
   });
+
+  it('made the exit code 0, although a drawing had failed before', (t) => {
+    const files = drawings(t);
+    assert.equal(unread('inspect', `${files[0]}.none`, ...files).code, 4);
+  });
 });

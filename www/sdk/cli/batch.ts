@@ -55,6 +55,8 @@ export async function eachFile({ words, values }: Words, { outputs, columns, inp
         if (jsonPiped && error.report !== null) await print(failureDocument(file, error.report)).catch(() => {});
         failed.push(file);
         exits.add(error.exit);
+        // In case the reader of standard output leaves before the last of them.
+        process.exitCode = files.length > 1 ? EXIT.some : error.exit;
       }
     }
     if (failed.length > 0) process.exitCode = failed.length < files.length ? EXIT.some : files.length > 1 ? EXIT.all : [...exits][0];
