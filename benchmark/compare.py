@@ -204,7 +204,11 @@ def main():
             out = args.folder / name / f"{entry['name']}.json.gz"
             out.parent.mkdir(parents=True, exist_ok=True)
             out.write_bytes(gzip.compress(json.dumps(found).encode()))
-            value = check.check(check.instance_of(entry["name"])[0], found)
+            try:
+                value = check.check(check.instance_of(entry["name"])[0], found)
+            except check.Wrong as error:
+                print(f"{entry['name']:24} {name:10} WRONG  {error}", flush=True)
+                continue
             per_cent = 100 * (value / entry["best"]["value"] - 1)
             above.setdefault((entry["track"], name), []).append(per_cent)
             print(f"{entry['name']:24} {name:10} {value:14.3f} {per_cent:+10.3f} % above the best known", flush=True)

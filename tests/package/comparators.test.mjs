@@ -89,6 +89,13 @@ print(check.check(check.instance_of("31pr152")[0], {"tour": tour}))`));
     assert.match(stderr, /the tour file of GLNS has no line Tour/);
   });
 
+  it('a plan that is wrong ended the comparison with a stack trace', (t) => {
+    const julia = installed(t, 'julia', `[ "$3" = -- ] && sed 's/\\[5, 12/[5, 5/' ${FIXTURES}glns-tour.txt > "$5"; exit 0`);
+    const found = run(t, julia, [join(HERE, 'compare.py'), join(julia.folder, 'out'), '--only', 'pr152', '--by', 'glns', '--seconds', '1']);
+    assert.deepEqual([found.status, found.stderr], [0, '']);
+    assert.match(found.stdout, /^31pr152 +glns +WRONG {2}visited-twice: set \d+ is visited more than once\n$/);
+  });
+
   it('a program that is not installed is skipped by name, with how to get it', (t) => {
     const bare = installed(t);
     const by = (name) => run(t, bare, [join(HERE, 'compare.py'), join(bare.folder, 'out'), '--only', 'hull-5-20-1-ecp', '--by', name]).stdout;
