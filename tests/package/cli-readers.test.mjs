@@ -1,7 +1,7 @@
 // The command line when the reader of its standard output has gone: `| head`.
 
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
+import { spawn, spawnSync } from 'node:child_process';
 import { readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
@@ -36,6 +36,24 @@ describe('a reader of standard output that has gone', { skip: process.platform =
     const { code, stderr } = unread('check', join(at, 'empty.nc'));
     assert.equal(code, 1);
     assert.match(stderr, /empty\.nc fails: The program cuts nothing\./);
+  });
+
+  it('ended a service as soon as it listened', async (t) => {
+    // A group of processes of its own, which is ended as a whole.
+    const shell = spawn('/bin/sh', ['-c', '"$@" | true', 'sh', process.execPath, CLI, 'serve', '--port', '0'], { stdio: ['ignore', 'ignore', 'pipe'], detached: true });
+    t.after(() => process.kill(-shell.pid, 'SIGKILL'));
+    let said = '';
+    shell.stderr.on('data', (data) => (said += data));
+    const url = await new Promise((resolve) => {
+      const timer = setInterval(() => {
+        const [, found] = /"url":"([^"]+)"/.exec(said) ?? [];
+        if (found === undefined) return;
+        clearInterval(timer);
+        resolve(found);
+      }, 50);
+    });
+    await new Promise((resume) => setTimeout(resume, 500));
+    assert.equal((await fetch(`${url}/healthz`)).status, 200);
   });
 
   it('was waited for: drawings whose JSON nobody reads were planned all the same', (t) => {

@@ -11,7 +11,7 @@ import { serve as serving } from '../server/serve.js';
 import { DEFAULTS, type ServerSettings } from '../server/settings.js';
 import { parsedOptions, positive, text, whole, type Words } from './arguments.js';
 import { packageVersion } from './help.js';
-import { Unusable, WrongUse } from './io.js';
+import { goesOnWithoutReader, Unusable, WrongUse } from './io.js';
 
 export async function serve(args: string[]): Promise<void> {
   const settings = await settingsOf(parsedOptions('serve', args));
@@ -34,6 +34,7 @@ const ENDS = { SIGINT: 130, SIGTERM: 143 } as const;
 
 /** Prints the sentence that it runs, and waits for the signal to stop. A second one ends the process at once. */
 async function untilStopped(sentence: string, stop: () => Promise<void>): Promise<void> {
+  goesOnWithoutReader();
   await new Promise<void>((resolve) => {
     let stopping = false;
     for (const signal of ['SIGINT', 'SIGTERM'] as const) {
