@@ -9,6 +9,7 @@ import { JOINT_KINDS, JOINT_SIDES, jointRules, SIZE_TESTS, type JointPattern } f
 import { LEAD_KINDS, LEAD_POSITIONS, leadRules, type LeadChoice } from '../leads.js';
 import { number, oneOf, text, type Words } from './arguments.js';
 import { checkedAsWritten } from './as-written.js';
+import { changedJoints, changedLeads } from './own-rules.js';
 import { textOf, Unusable, WrongUse } from './io.js';
 import { RISKY_MOVES } from './option-groups.js';
 
@@ -31,17 +32,20 @@ function withKerf(values: Words['values'], machine: MachineProfile): MachineProf
   return valid(values, { ...machine, kerf_width, ...(materials && { materials }) });
 }
 
-/** The machine with the leads that the options ask for. */
+/** The machine with the leads that the options ask for: other ones with `--lead`, its own with what the others change. */
 function withLeads(values: Words['values'], machine: MachineProfile): MachineProfile {
   const given: Partial<LeadChoice> = {
     ...chosen(values, { kind: ['lead', LEAD_KINDS], out: ['lead-out', LEAD_KINDS], position: ['lead-position', LEAD_POSITIONS] }),
     ...measured(values, { length: 'lead-length', radius: 'lead-radius', angle: 'lead-angle', clearance: 'lead-clearance', centerBelow: 'lead-center-below', overcut: 'overcut' }),
   };
+  if (Object.keys(given).length === 0) return machine;
+  const { kind, ...others } = given;
+  if (kind === undefined && machine.leads?.rules.length) return valid(values, { ...machine, leads: changedLeads(machine.leads, others) });
   // An overcut alone, or a lead-out alone, is no wish for a lead-in.
-  return Object.keys(given).length === 0 ? machine : valid(values, { ...machine, leads: leadRules({ kind: 'none', ...given }) });
+  return valid(values, { ...machine, leads: leadRules({ kind: 'none', ...given }) });
 }
 
-/** The machine with the joints that the options ask for. */
+/** The machine with the joints that the options ask for: other ones with `--joints`, its own with what the others change. */
 function withJoints(values: Words['values'], machine: MachineProfile): MachineProfile {
   const given: Partial<JointPattern> = {
     ...chosen(values, { side: ['joint-side', JOINT_SIDES], kind: ['joint-kind', JOINT_KINDS], test: ['joint-test', SIZE_TESTS] }),
@@ -50,7 +54,9 @@ function withJoints(values: Words['values'], machine: MachineProfile): MachinePr
   const least = sizes(values, 'joint-size-min'), most = sizes(values, 'joint-size-max');
   if (least !== undefined) given.sizeMin = least;
   if (most !== undefined) given.sizeMax = most;
-  return Object.keys(given).length === 0 ? machine : valid(values, { ...machine, joints: jointRules(given) });
+  if (Object.keys(given).length === 0) return machine;
+  const isOwn = given.count === undefined && machine.joints?.rules.length;
+  return valid(values, { ...machine, joints: isOwn ? changedJoints(machine.joints!, given) : jointRules(given) });
 }
 
 /** The settings that are given as words, by name: each with its option and the words there are. */

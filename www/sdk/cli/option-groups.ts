@@ -87,7 +87,7 @@ export const PROVING: Options = {
 };
 
 export const LEADS: Options = {
-  lead: { value: 'KIND', about: "the lead-in of every closed cut, instead of the machine's leads", choices: LEAD_KINDS },
+  lead: { value: 'KIND', about: "the lead-in of every closed cut, instead of the machine's leads; without it, the other options change those", choices: LEAD_KINDS },
   'lead-out': { value: 'KIND', about: 'the lead-out (default none)', choices: LEAD_KINDS },
   'lead-length': { value: 'MM', about: `length of the line (default ${DEFAULT_LEADS.length})` },
   'lead-radius': { value: 'MM', about: `radius of the arc (default ${DEFAULT_LEADS.radius})` },
@@ -99,7 +99,7 @@ export const LEADS: Options = {
 };
 
 export const JOINTS: Options = {
-  joints: { value: 'N', about: `least number of micro-joints of each contour, instead of the machine's joints (default ${DEFAULT_JOINTS.count}, if another option asks for joints)` },
+  joints: { value: 'N', about: `least number of micro-joints of each contour, instead of the machine's joints; without it, the other options change those (default ${DEFAULT_JOINTS.count}, if the machine has none and another option asks for joints)` },
   'joint-width': { value: 'MM', about: `width of the material that holds (default ${DEFAULT_JOINTS.width}); the width of the cut is added` },
   'joint-spacing': { value: 'MM', about: 'greatest length that is cut without a joint (default any)' },
   'joint-side': { value: 'WHICH', about: `the contours that have joints (default ${DEFAULT_JOINTS.side})`, choices: JOINT_SIDES },
