@@ -141,6 +141,23 @@ describe('kerfway with a project', () => {
     await assert.rejects(cli('plan', await saved({ machine: 'k41' })), (error) => error.code === 1 && /plate\.kerfway: its machine k41 is none of the presets, which are co2-100w, /.test(error.stderr));
   });
 
+  it('was refused with options that its machine allows and the first preset does not', async (t) => {
+    const at = folder(t);
+    const project = await planned();
+    const { machine } = JSON.parse((await plan(PLATE, { units: 'mm', moves: 10, seed: 1, outputs: ['json'] })).outputs.json);
+    const [file, other] = ['plate.kerfway', 'other.kerfway'].map((name) => join(at, name));
+    writeFileSync(file, await writeProject({ ...project, planning: { machine: { ...machine, levers: { chains: { reach: 5 } } } } }));
+    writeFileSync(other, await writeProject({ ...project, planning: { machine } }));
+    const out = join(at, 'out');
+    const words = ['--moves', '10', '--chain-clearance', '1', '--json'];
+    await cli('plan', file, ...words, out);
+    assert.deepEqual(JSON.parse(readFileSync(out, 'utf8')).machine.levers.chains.clearance, 1);
+    const refusal = /--chain-clearance: the machine does not join contours\./;
+    await assert.rejects(cli('plan', other, ...words, out), (error) => error.code === 2 && refusal.test(error.stderr));
+    await assert.rejects(cli('plan', other, file, ...words, `${at}/both/`), (error) => error.code === 4 && refusal.test(error.stderr) && /other\.kerfway: --chain/.test(error.stderr));
+    assert.deepEqual(JSON.parse(readFileSync(join(at, 'both', 'plate.json'), 'utf8')).machine.levers.chains.clearance, 1);
+  });
+
   it('was refused with another unit than it was read in, and kept its border and its own lists of contours against the options', async (t) => {
     const file = join(folder(t), 'plate.kerfway');
     const read = async (drawing, reading, ...args) => {

@@ -1,13 +1,16 @@
 /** What of a project counts beside the options of a command, which overrule it. A drawing is a project in which nothing is decided. */
 
+import { KerfwayError } from '../errors.js';
 import type { Planner } from '../node.js';
 import { given } from '../options.js';
 import type { Project, SavedPlan } from '../project.js';
 import type { LoadOptions, MachineProfile, PlanOptions } from '../protocol.js';
 import type { Words } from './arguments.js';
-import { Unusable } from './io.js';
+import type { Place } from './batch.js';
+import { Unusable, WrongUse } from './io.js';
 import { machineOf } from './machine.js';
 import { complain } from './safe-text.js';
+import { STANDARD_INPUT } from './target.js';
 import { asGiven } from './warnings.js';
 
 type Values = Words['values'];
@@ -64,4 +67,17 @@ async function keepsMachine({ dialect: _, ...values }: Values, planner: Planner,
   if (values['machine'] !== undefined || values['no-return'] === true) return false;
   const [changed, same] = await Promise.all([values, {}].map((of) => machineOf({ words: [], values: of }, planner, own)));
   return changed === same;
+}
+
+/** Whether a file may be a project, by its name. */
+export const mayBeProject = (file: string) => file === STANDARD_INPUT || file.endsWith('.kerfway');
+
+/** Work for one of some files. What is wrong usage for the machine of one is a fault of that one, and the others go on. */
+export async function forProject<T>(file: string, { of }: Place, work: () => Promise<T>): Promise<T> {
+  try {
+    return await work();
+  } catch (error) {
+    if (of === 1 || !(error instanceof WrongUse)) throw error;
+    throw new Unusable(`${asGiven(file)}: ${error.message}`, new KerfwayError('wrong-usage', error.message).toJSON());
+  }
 }

@@ -13,8 +13,9 @@ import { machineFiles, machineOf } from './machine.js';
 import { checkedAsWritten, leversAsWritten } from './as-written.js';
 import { eachFile, type Requested, type Outlet, type Place } from './batch.js';
 import { untilInterrupted } from './interrupt.js';
-import { nameOf, Unusable, usable } from './io.js';
-import { type Decided, ofProject, readingOf } from './of-project.js';
+import { filesOf } from './glob.js';
+import { nameOf, Unusable, usable, WrongUse } from './io.js';
+import { type Decided, forProject, mayBeProject, ofProject, readingOf } from './of-project.js';
 import { opened } from './opened.js';
 import { progressLine } from './progress.js';
 import { complain } from './safe-text.js';
@@ -51,8 +52,10 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
   try {
     // A quote has a budget of its own. It may name a material that the machine has no setting for, which a program may not.
     const isQuote = requested.defaultBudget !== undefined;
-    // Report wrong usage before reading any file.
-    await choices(words, planner, !isQuote);
+    // Report wrong usage before reading any file, unless it may be right for the machine of a project.
+    await choices(words, planner, !isQuote).catch((error: unknown) => {
+      if (!(error instanceof WrongUse) || values['machine'] !== undefined || !filesOf(words.words).some(mayBeProject)) throw error;
+    });
     await eachFile(words, { ...requested, inputs: [...(requested.inputs ?? []), ...machineFiles(words, planner)] }, async (file, place, to) => {
       const project = await opened(file);
       const loaded = await usable(file, planner.load(project.drawing, project.name, readingOf(project, load)));
@@ -61,8 +64,11 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
       refuseDoubt(file, loaded, words, requested.outputs);
       // The report counts the others, unless there is none.
       if (quiet) warn(file, ofDrawing(loaded).filter((f) => !decides(f) && !(loaded.units.doubtful && UNITS.includes(f.code))));
-      const { decided, plan } = await ofProject(file, project, values, load, planner);
-      const chosen = { ...decided, ...budget, ...(await choices(words, planner, !isQuote, decided)) };
+      const { decided, plan, own } = await forProject(file, place, async () => {
+        const counting = await ofProject(file, project, values, load, planner);
+        return { ...counting, own: await choices(words, planner, !isQuote, counting.decided) };
+      });
+      const chosen = { ...decided, ...budget, ...own };
       // A quote starts without the plan of the project, because others must be able to make it from the drawing alone.
       const search = budgeted({ ...chosen, ...continuing(isQuote ? null : plan, budget) }, loaded, requested.defaultBudget);
       const planned = searched(planner, search, proving, { file, place, quiet, outputs: requested.outputs.map(({ kind }) => kind) });
