@@ -206,6 +206,11 @@ describe('outputs of one drawing', () => {
       assert.match(stderr, sentence);
       assert.ok(performance.now() - begun < 30_000, 'no search is waited for');
     }
+    // A folder that is made for one output may hold another one.
+    const made = join(from, 'new');
+    const { code, stderr } = await run(['plan', drawing, ...QUICK, '--gcode', `${join(made, 'programs')}/`, '--json', join(made, 'plan.json'), '--svg', join(made, 'programs', 'b.svg')]);
+    assert.equal(code, 0, stderr);
+    assert.deepEqual([readdirSync(made).sort(), readdirSync(join(made, 'programs')).sort()], [['plan.json', 'programs'], ['a.nc', 'b.svg']]);
   });
 
   it('are written even if the reader of standard output stops', { skip: !POSIX && 'there is no shell' }, async (t) => {

@@ -64,9 +64,13 @@ export class Destinations {
     // Once: while files are watched, a folder may go and come back.
     if (this.begun) return;
     this.begun = true;
-    for (const output of this.outputs.filter(({ out }) => out !== STANDARD_OUTPUT)) {
-      if (lookAt(output.out) === null && isFolder(output.out)) refuseNoFolder(output.out);
-      else for (const file of files) checkWritable(placeOf(output, file));
+    const named = this.outputs.filter(({ out }) => out !== STANDARD_OUTPUT);
+    const missing = named.map(({ out }) => out).filter((out) => lookAt(out) === null && isFolder(out));
+    missing.forEach(refuseNoFolder);
+    const toMake = missing.map((out) => resolve(out));
+    for (const place of named.flatMap((output) => files.map((file) => placeOf(output, file)))) {
+      const folder = dirname(resolve(place));
+      if (!toMake.some((made) => made === folder || made.startsWith(`${folder}${sep}`))) checkWritable(place);
     }
   }
 
