@@ -63,11 +63,11 @@ export async function writeAll(writings: readonly Writing[]): Promise<void> {
   });
 }
 
-/** Fails as `writeAll` would, if this output cannot be written as things are now: no search is made for nothing. */
-export function checkWritable(out: string): void {
+/** Fails as `writeAll` would, if this output, or any in its folder, cannot be written as things are now: no search is made for nothing. */
+export function checkWritable(out: string, folderOnly: boolean): void {
   try {
     const { path, stat, replaceable } = targetOf(out);
-    if (stat !== null) accessSync(path, constants.W_OK);
+    if (stat !== null && !folderOnly) accessSync(path, constants.W_OK);
     if (replaceable) accessSync(`${dirname(path)}${sep}.`, constants.W_OK);
   } catch (error) {
     throw unwritable(out, error, UNCHANGED);

@@ -68,9 +68,11 @@ export class Destinations {
     const missing = named.map(({ out }) => out).filter((out) => lookAt(out) === null && isFolder(out));
     missing.forEach(refuseNoFolder);
     const toMake = missing.map((out) => resolve(out));
-    for (const place of named.flatMap((output) => files.map((file) => placeOf(output, file)))) {
+    const [first, second] = files;
+    for (const place of first === undefined ? [] : named.map((output) => placeOf(output, first))) {
       const folder = dirname(resolve(place));
-      if (!toMake.some((made) => made === folder || made.startsWith(`${folder}${sep}`))) checkWritable(place);
+      // Of several drawings, one whose own files are protected does not keep the others from theirs.
+      if (!toMake.some((made) => made === folder || made.startsWith(`${folder}${sep}`))) checkWritable(place, second !== undefined);
     }
   }
 
