@@ -113,7 +113,7 @@ export function checkOptions<T extends object>(options: T, kind: keyof typeof KN
 }
 
 /** Throws a `KerfwayError` unless this is a machine profile or the name of a preset. */
-export function checkMachine(machine: unknown): void {
+function checkMachine(machine: unknown): void {
   check(KNOWN.planning, { machine });
 }
 

@@ -8,7 +8,7 @@ import { loadOptions, parsed } from './arguments.js';
 import { eachFile } from './batch.js';
 import { outputsOf } from './destinations.js';
 import { usable } from './io.js';
-import { readingOf } from './of-project.js';
+import { readingWith } from './of-project.js';
 import { opened } from './opened.js';
 import type { Column } from './report.js';
 import { placeOf, warn } from './warnings.js';
@@ -23,7 +23,7 @@ export async function inspect(args: string[]): Promise<void> {
   try {
     await eachFile(given, { outputs, columns: COLUMNS }, async (file, place, to) => {
       const project = await opened(file);
-      const loaded = await usable(file, planner.load(project.drawing, project.name, readingOf(project, options)));
+      const loaded = await usable(file, planner.load(project.drawing, project.name, readingWith(project, options)));
       // The report lists them.
       if (given.values['quiet'] === true) warn(file, loaded.findings);
       const data = `${JSON.stringify(inspectReport(loaded))}\n`;

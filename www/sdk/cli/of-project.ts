@@ -24,7 +24,7 @@ const CONTRARY = [['units', 'dpi'], ['keepBorder', 'ignoreOutline']] as const;
 const LISTS = [['first', 'last'], ['exclude', 'mark']] as const;
 
 /** How the drawing of a project is read: as the project says, and as the options say, which overrule it. */
-export function readingOf({ reading }: Project, load: LoadOptions): LoadOptions {
+export function readingWith({ reading }: Project, load: LoadOptions): LoadOptions {
   const own = { ...reading };
   for (const [one, other] of CONTRARY.flatMap(both)) if (load[one] !== undefined) delete own[other];
   for (const [one, other] of LISTS.flatMap(both)) {

@@ -15,7 +15,7 @@ import { eachFile, type Requested, type Outlet, type Place } from './batch.js';
 import { untilInterrupted } from './interrupt.js';
 import { filesOf } from './glob.js';
 import { nameOf, Unusable, usable, WrongUse } from './io.js';
-import { type Decided, forProject, mayBeProject, ofProject, readingOf } from './of-project.js';
+import { type Decided, forProject, mayBeProject, ofProject, readingWith } from './of-project.js';
 import { opened } from './opened.js';
 import { progressLine } from './progress.js';
 import { complain } from './safe-text.js';
@@ -58,7 +58,7 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
     });
     await eachFile(words, { ...requested, inputs: [...(requested.inputs ?? []), ...machineFiles(words, planner)] }, async (file, place, to) => {
       const project = await opened(file);
-      const loaded = await usable(file, planner.load(project.drawing, project.name, readingOf(project, load)));
+      const loaded = await usable(file, planner.load(project.drawing, project.name, readingWith(project, load)));
       // What decides on what is cut is reported here and not only by `inspect`: misspelt layers, borders, lettering.
       for (const { message } of loaded.findings.filter(decides)) complain(`${asGiven(file)}: ${message}`);
       refuseDoubt(file, loaded, words, requested.outputs);
