@@ -254,4 +254,14 @@ describe('bytes', () => {
       await assert.rejects(plan(bytes, SHORT), (error) => error instanceof TypeError && error.code === 'not-bytes');
     }
   });
+
+  it('were taken for those of whatever a holder of bytes returns', async () => {
+    for (const held of ['text', null, [1, 2], new Proxy(new ArrayBuffer(8), {})]) {
+      const holder = { arrayBuffer: async () => held };
+      await assert.rejects(plan(holder, SHORT), (error) => error instanceof TypeError && error.code === 'not-bytes');
+      await refused(() => check(holder), 'wrong-type', 'program');
+      await assert.rejects(kerfway.readProject(holder), (error) => error instanceof TypeError && error.code === 'not-bytes');
+    }
+    assert.equal((await plan({ arrayBuffer: async () => new Uint8Array(PLATE) }, SHORT)).loaded.name, 'drawing.dxf');
+  });
 });

@@ -24,10 +24,10 @@ export interface ReadBytes {
 /** Reads the bytes of a drawing. Throws a `TypeError` with the code `not-bytes` for anything that holds none. */
 export async function readBytes(source: Source): Promise<ReadBytes> {
   const given: unknown = typeof source === 'function' ? await source() : source;
-  const bytes = viewed(given);
-  if (bytes !== null) return { bytes, name: undefined };
-  if (!isHolder(given)) throw notBytes();
-  return { bytes: await held(given), name: typeof given['name'] === 'string' && given['name'] !== '' ? given['name'] : undefined };
+  const isHeld = viewed(given) === null && isHolder(given);
+  const bytes = viewed(isHeld ? await held(given) : given);
+  if (bytes === null) throw notBytes();
+  return { bytes, name: isHeld && typeof given['name'] === 'string' && given['name'] !== '' ? given['name'] : undefined };
 }
 
 /** The bytes of a buffer or a view of one; `null` for anything else. */
@@ -52,7 +52,7 @@ function isHolder(given: unknown): given is Holder {
 }
 
 /** The bytes of a blob, file, response or request. Sizes that are known are checked before anything is read. */
-async function held(holder: Holder): Promise<ArrayBuffer> {
+async function held(holder: Holder): Promise<unknown> {
   const { ok, status, size, headers } = holder as { ok?: unknown; status?: unknown; size?: unknown; headers?: { get?: (name: string) => string | null } };
   if (ok === false) throw new KerfwayError('download-failed', `The drawing could not be downloaded: the server answers ${String(status)}.`, { status: Number(status) });
   if (typeof size === 'number') checkSize(size);
