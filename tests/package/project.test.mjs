@@ -121,11 +121,15 @@ describe('kerfway with a project', () => {
     const project = await planned();
     writeFileSync(file, await writeProject({ ...project, planning: { machine: 'co2-100w' } }));
     const searched = async (...args) => JSON.parse((await cli('plan', file, '--json', '-', '--quiet', ...args)).stdout).budget;
-    for (const changed of [['--lead', 'arc'], ['--joints', '2'], ['--moving-pierce', '1'], ['--no-return'], ['--method', 'greedy']]) {
-      assert.equal((await searched('--seconds', '0.1', ...changed)).seconds, 0.1, changed.join(' '));
+    for (const changed of [['--lead', 'arc'], ['--joints', '2'], ['--moving-pierce', '1'], ['--no-return'], ['--method', 'greedy'], ['--method', 'sga', '--set', 'crossover=0.5']]) {
+      const { moves, from_path: isFromPlan } = await searched('--moves', '10', ...changed);
+      assert.deepEqual([moves, isFromPlan], [10, undefined], changed.join(' '));
     }
-    // A machine of others needs a search of its own, too, which has ten seconds without a budget; another dialect does not.
+    assert.equal((await searched('--moves', '10')).from_path, true);
+    // Another dialect changes no path.
     assert.deepEqual(await searched('--dialect', 'linuxcnc-m67'), await searched());
+    writeFileSync(file, await writeProject({ ...project, planning: { machine: 'co2-100w', method: 'sga' } }));
+    assert.equal((await searched('--moves', '10', '--set', 'crossover=0.5')).from_path, undefined);
   });
 
   it('whose machine is the name of a preset was planned on a machine without a name, and refused with options that change it', async (t) => {

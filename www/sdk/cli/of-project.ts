@@ -50,7 +50,8 @@ export async function ofProject(file: string, project: Project, values: Values, 
       delete decided.material;
     }
   }
-  const isOfSameJob = Object.keys(load).length === 0 && values['material'] === undefined && values['method'] === undefined && (await keepsMachine(values, planner, machine));
+  const isOther = Object.keys(load).length > 0 || ['material', 'method', 'set'].some((option) => values[option] !== undefined);
+  const isOfSameJob = !isOther && (await keepsMachine(values, planner, machine));
   return { decided, plan: isOfSameJob ? project.plan : null };
 }
 
