@@ -12,6 +12,7 @@ import { Notices } from './controllers/notices.js';
 import { Pointer } from './controllers/pointer.js';
 import { Selection } from './controllers/selection.js';
 import { Announcer } from './core/announce.js';
+import { takeDecimalCommas } from './core/decimal-comma.js';
 import { Theme } from './core/theme.js';
 import { dock } from './panels/dock.js';
 import { firstMachine } from './panels/first-machine.js';
@@ -44,6 +45,7 @@ import { Viewport } from './stage/viewport.js';
 export async function startPage(): Promise<void> {
   const element = (id: string) => document.getElementById(id)!;
   translate();
+  takeDecimalCommas();
   // The sample is fetched, and the page is built, while the planner starts.
   const before = keptSample();
   const first = before?.sample ?? SAMPLES[0]!;

@@ -7,6 +7,7 @@ import { shownIn } from '../core/lengths.js';
 import { words } from '../core/words/index.js';
 import type { Calibration, MachineProfile, MeasuredPlan } from 'kerfway';
 import type { Session } from '../session/session.js';
+import { numberInput } from './number-input.js';
 import { field } from './section.js';
 
 /** A job that was timed. */
@@ -18,9 +19,10 @@ interface Timed extends MeasuredPlan {
 export function calibration(session: Session, notify: (sentence: string) => void): HTMLElement {
   let timed: readonly Timed[] = [];
   let fitted: Calibration | null = null;
-  const clock = h('input', { type: 'number', step: 'any', min: 0, inputmode: 'decimal', placeholder: words.calibration.none });
+  let took = 0;
+  const clock = numberInput({ unit: 's', least: 0.01, most: 999_999, empty: 0, placeholder: words.calibration.none }, (value) => (took = value));
   const add = h('button', { type: 'submit', class: 'small' }, words.calibration.add);
-  const form = h('form', { class: 'stack' }, field(words.calibration.took, clock, 's'), add);
+  const form = h('form', { class: 'stack', novalidate: true }, field(words.calibration.took, clock.input, 's'), add);
   const list = h('ul', { class: 'timed' });
   const fit = button(words.calibration.fit, { class: 'small', onclick: () => void run() });
   const clear = button(words.calibration.clear, { class: 'small', onclick: () => show([], null) });
@@ -32,16 +34,17 @@ export function calibration(session: Session, notify: (sentence: string) => void
 
   form.addEventListener('submit', (event) => {
     event.preventDefault();
-    void note(clock.valueAsNumber);
+    void note();
   });
   /** Notes the time that the present plan took. */
-  const note = async (took: number) => {
+  const note = async () => {
     const { progress, name, phase } = session.state;
-    if (!(took > 0) || progress === null || phase !== 'done') return notify(words.calibration.notYet);
+    if (took === 0 || progress === null || phase !== 'done') return notify(words.calibration.notYet);
     try {
       const plan = String(await session.output('json'));
-      clock.value = '';
       show([...timed, { name, plan, seconds: took, planned: progress.summary.total_time }], null);
+      clock.input.value = '';
+      clock.show((took = 0));
     } catch (error) {
       notify(messageOf(error));
     }

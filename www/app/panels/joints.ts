@@ -9,6 +9,7 @@ import { type Measure, numberInput } from './number-input.js';
 import { check, field, select } from './section.js';
 
 interface Quantity extends Measure {
+  most: number;
   name: 'count' | 'width' | 'spacing' | 'cornerClearance' | 'least' | 'most';
   get(settings: JointPattern): number;
   set(value: number): Partial<JointPattern>;
@@ -20,7 +21,7 @@ const ANY = { empty: 0, placeholder: w.any };
 
 /** The limits are those of machine profiles. */
 const QUANTITIES: readonly Quantity[] = [
-  { name: 'count', unit: '', least: 0, most: 1000, whole: true, get: (s) => s.count, set: (count) => ({ count: Math.round(count) }) },
+  { name: 'count', unit: '', least: 0, most: 1000, whole: true, get: (s) => s.count, set: (count) => ({ count }) },
   { name: 'width', unit: 'mm', least: 0.01, most: 100, get: (s) => s.width, set: (width) => ({ width }) },
   { name: 'spacing', unit: 'mm', least: 1, most: 1e6, ...ANY, get: (s) => s.spacing, set: (spacing) => ({ spacing }) },
   { name: 'cornerClearance', unit: 'mm', least: 0, most: 1000, get: (s) => s.cornerClearance, set: (cornerClearance) => ({ cornerClearance }) },
@@ -40,10 +41,10 @@ export function jointsPanel(session: Session, edit: (change: (m: MachineProfile)
     if (checked) m.joints = jointRules();
     else delete m.joints;
   }));
-  const side = select<JointSide>((value) => set({ side: value }));
-  const kind = select<JointKind>((value) => set({ kind: value }));
+  const side = select<JointSide>((value) => set({ side: value }), { wide: true });
+  const kind = select<JointKind>((value) => set({ kind: value }), { wide: true });
   const inputs = QUANTITIES.map((q) => {
-    const { input, show } = numberInput(q, (value) => set(q.set(value)));
+    const { input, show } = numberInput({ ...q, ...(q.name === 'least' ? { most: () => now.sizeMax[0] || q.most } : q.name === 'most' ? { least: () => now.sizeMin[0] } : {}) }, (value) => set(q.set(value)));
     return { q, show, row: field(w[q.name], input, q.unit) };
   });
   const simple = h('div', { class: 'stack' }, field(w.side, side.root), ...inputs.map((i) => i.row), field(w.kind, kind.root), h('p', { class: 'soft' }, w.about));

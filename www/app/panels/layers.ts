@@ -2,12 +2,13 @@
 
 import { button, h } from '../core/dom.js';
 import { count, upTo } from '../core/format.js';
-import { shownIn, typed, written } from '../core/lengths.js';
+import { shownIn, written } from '../core/lengths.js';
 import { LAYER_COLORS } from '../stage/layer-colors.js';
 import { OPERATIONS } from '../core/strings.js';
 import type { LayerChoice, LayerUse, Loaded, MachineProfile } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { words } from '../core/words/index.js';
+import { type Measure, numberInput } from './number-input.js';
 import { check, field } from './section.js';
 
 export function layerList(session: Session, loaded: Loaded): HTMLElement {
@@ -52,15 +53,11 @@ function row(session: Session, layer: LayerUse, moves: [up: boolean, down: boole
 /** The layers whose settings are shown. They stay open when the list is made again. */
 const opened = new Set<string>();
 
-interface Quantity {
+interface Quantity extends Measure {
   key: 'speed' | 'power' | 'minPower' | 'passes' | 'zStep';
   label: string;
-  unit: string;
-  least: number;
-  most: number;
   /** From what is typed to the setting. */
   factor: number;
-  whole?: boolean;
   /** What holds where nothing is set. */
   otherwise(process: MachineProfile['cut']): number | null | undefined;
 }
@@ -69,32 +66,30 @@ const QUANTITIES: readonly Quantity[] = [
   { key: 'speed', label: words.layers.speed, unit: 'mm/s', least: 0.01, most: 100_000, factor: 1, otherwise: (p) => p.speed },
   { key: 'power', label: words.layers.power, unit: '%', least: 0, most: 100, factor: 0.01, otherwise: (p) => p.power },
   { key: 'minPower', label: words.layers.minPower, unit: '%', least: 0, most: 100, factor: 0.01, otherwise: (p) => p.min_power },
-  { key: 'passes', label: words.layers.passes, unit: '×', least: 1, most: 100, factor: 1, whole: true, otherwise: (p) => p.passes ?? 1 },
+  { key: 'passes', label: words.layers.passes, unit: '', least: 1, most: 100, factor: 1, whole: true, otherwise: (p) => p.passes ?? 1 },
   { key: 'zStep', label: words.layers.zStep, unit: 'mm', least: 0, most: 50, factor: 1, otherwise: (p) => p.z_step ?? 0 },
 ];
 
-/** A setting as it is typed. */
-const shown = (value: number, { unit, factor }: Pick<Quantity, 'unit' | 'factor'>) => written(value / factor, unit);
+/** What an empty field stands for: nothing is set. */
+const UNSET = -1;
 
 function settingFields(session: Session, layer: LayerUse, set: LayerChoice | undefined): HTMLElement[] {
   const { machine } = session.state;
   const process = layer.operation === 'mark' ? machine?.mark : machine?.cut;
   const fields = QUANTITIES.map((quantity) => {
-    const { key, label, unit, least, most, factor, whole, otherwise } = quantity;
+    const { key, label, unit, factor, otherwise } = quantity;
     const given = set?.[key];
     const usual = process && otherwise(process);
-    const input = h('input', {
-      type: 'number', step: 'any', min: written(least, unit), max: written(most, unit), inputmode: 'decimal', 'aria-label': words.layers.settingOf(label, layer.name),
-      placeholder: typeof usual === 'number' ? shown(usual, quantity) : words.layers.unset, value: typeof given === 'number' ? shown(given, quantity) : '',
-    });
+    let value = typeof given === 'number' ? given / factor : UNSET;
+    const { input, show } = numberInput({ ...quantity, empty: UNSET, placeholder: typeof usual === 'number' ? written(usual / factor, unit) : words.layers.unset }, (typed) => (value = typed));
+    input.setAttribute('aria-label', words.layers.settingOf(label, layer.name));
+    show(value);
     // On `change`, not on every keystroke: the drawing is arranged again.
     input.addEventListener('change', () => {
-      const value = input.value === '' ? undefined : typed(input, unit);
-      const valid = value === undefined || (value >= least && value <= most && (!whole || Number.isInteger(value)));
-      input.setAttribute('aria-invalid', String(!valid));
-      if (valid) session.drawing.setLayer(layer.name, { [key]: value === undefined ? undefined : value * factor });
+      const next = value === UNSET ? undefined : value * factor;
+      if (next !== (session.drawing.settingsOf(layer.name)?.[key] ?? undefined)) session.drawing.setLayer(layer.name, { [key]: next });
     });
-    return field(label, input, unit);
+    return field(label, input, unit || '×');
   });
   const air = check(words.layers.air, (on) => session.drawing.setLayer(layer.name, { air: on || undefined }));
   air.input.checked = set?.air === true;

@@ -45,7 +45,7 @@ export function leadsPanel(edit: (change: (m: MachineProfile) => void) => void):
   };
   const kind = select<LeadKind>((value) => set({ kind: value }));
   const out = select<LeadKind>((value) => set({ out: value }));
-  const position = select<LeadPosition>((value) => set({ position: value }));
+  const position = select<LeadPosition>((value) => set({ position: value }), { wide: true });
   const placed = field(w.position, position.root);
   const kinds = LEAD_KINDS.map((value) => ({ value, label: w.kinds[value] }));
   const inputs = QUANTITIES.map((q) => {

@@ -23,6 +23,8 @@ interface Quantity extends Measure {
   none?: string;
   /** A sentence below the field that says what the value does. */
   hint?: string;
+  /** For the sides of the bed: its place in the list. */
+  side?: number;
   /** Null where the profile has no value, which means "no limit" or "at once". */
   get(m: MachineProfile): number | null;
   set(m: MachineProfile, value: number): void;
@@ -46,6 +48,12 @@ const DELAY = { unit: 's', least: 0, most: 60 };
 const BED: [number, number, number, number] = [0, 0, 600, 400];
 
 const withSide = (bed: [number, number, number, number], side: number, value: number) => bed.map((v, i) => (i === side ? value : v)) as [number, number, number, number];
+
+/** The limit of a side of the bed: at least a millimetre from the opposite one. */
+function beyond(side: number | undefined, bed: () => readonly number[]): Partial<Measure> {
+  if (side === undefined) return {};
+  return side < 2 ? { most: () => bed()[side + 2]! - 1 } : { least: () => bed()[side - 2]! + 1 };
+}
 
 const degrees = (angle: number | undefined) => (angle === undefined ? null : Math.round((angle / DEGREE) * 1e6) / 1e6);
 
@@ -72,7 +80,7 @@ const QUANTITIES: readonly Quantity[] = [
   { label: words.machine.homeX, ...PLACE, get: (m) => m.home[0], set: (m, v) => (m.home[0] = v) },
   { label: words.machine.homeY, ...PLACE, get: (m) => m.home[1], set: (m, v) => (m.home[1] = v) },
   ...[words.machine.bedX0, words.machine.bedY0, words.machine.bedX1, words.machine.bedY1].map((label, i): Quantity => (
-    { label, ...PLACE, none: words.machine.noBed, get: (m) => m.bed?.[i] ?? null, set: (m, v) => (m.bed = withSide(m.bed ?? BED, i, v)) })),
+    { label, ...PLACE, side: i, none: words.machine.noBed, get: (m) => m.bed?.[i] ?? null, set: (m, v) => (m.bed = withSide(m.bed ?? BED, i, v)) })),
   { label: words.machine.fullPower, unit: '', least: 1, most: 1e6, get: (m) => m.max_s, set: (m, v) => (m.max_s = v) },
 ];
 
@@ -109,7 +117,7 @@ export function machineControls(session: Session, notify: (sentence: string) => 
     else m.pre_cut_time = null;
   }));
   const pausing = check(words.machine.pausing, (on) => edit((m) => (m.sharp_corner = on ? PAUSE : null)));
-  const inputs = QUANTITIES.map((q) => quantityInput(q, edit));
+  const inputs = QUANTITIES.map((q) => quantityInput({ ...q, ...beyond(q.side, () => session.state.machine?.bed ?? BED) }, edit));
   const back = button(words.machine.back, { class: 'small', onclick: () => {
     const { machine } = session.state;
     const original = machine && presetOf(session, machine);

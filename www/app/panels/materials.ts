@@ -26,7 +26,6 @@ export function materials(session: Session): { choice: HTMLElement; root: HTMLEl
   const drop = button(words.machine.removeMaterial, { class: 'small', onclick: () => {
     const { machine, material } = session.state;
     if (!machine || material === null) return;
-    session.setMaterial(null);
     session.setMachine({ ...machine, materials: (machine.materials ?? []).filter((m) => m.name !== material) });
   } });
   const root = h('details', { class: 'more' }, h('summary', {}, words.machine.materials),

@@ -1,4 +1,4 @@
-/** A field for a number of the machine. */
+/** A field for a number. */
 
 import { h } from '../core/dom.js';
 import { upTo } from '../core/format.js';
@@ -8,8 +8,9 @@ import { words } from '../core/words/index.js';
 /** A number that is typed, in its own unit; a length is typed in the unit that the person has chosen. */
 export interface Measure {
   unit: string;
-  least: number;
-  most: number;
+  /** Where another value sets the limit, it is looked up when something is typed. */
+  least: number | (() => number);
+  most: number | (() => number);
   /** The value that the empty field stands for. Without one, an empty field changes nothing. */
   empty?: number;
   /** What the empty field says. */
@@ -17,30 +18,31 @@ export interface Measure {
   whole?: boolean;
 }
 
+const now = (limit: number | (() => number)) => (typeof limit === 'number' ? limit : limit());
+
 /**
- * `onChange` gets every valid number. While another one is typed, a sentence below the field says what it may be; whoever leaves the field gets the
- * value back that counts. `show` leaves alone what is being typed.
+ * `onChange` gets every valid number. While another one is typed, the value of before counts, and a sentence below the field says what it may be;
+ * whoever leaves the field gets the value back that counts. `show` leaves alone what is being typed.
  */
-export function numberInput({ unit, least, most, empty, placeholder, whole = false }: Measure, onChange: (value: number) => void): { input: HTMLInputElement; show(value: number | null): void } {
-  const input = h('input', { type: 'number', step: whole ? 1 : 'any', min: written(least, unit), max: written(most, unit), inputmode: 'decimal', placeholder });
-  const { factor, unit: name } = shownIn(unit);
-  const limits = h('p', { class: 'reason error', role: 'alert' }, words.drawing.within(upTo(least / factor, 6), `${upTo(most / factor, 6)} ${name}`.trim()));
+export function numberInput(measure: Measure, onChange: (value: number) => void): { input: HTMLInputElement; show(value: number | null): void } {
+  const { unit, empty, placeholder } = measure;
+  const input = h('input', { type: 'number', step: measure.whole ? 1 : 'any', min: written(now(measure.least), unit), max: written(now(measure.most), unit), inputmode: 'decimal', placeholder });
+  const mark = marking(input, measure);
   let counts: number | null = null;
+  /** The value before the person began to type. */
+  let before: number | null = null;
   const put = () => (input.value = counts === null || counts === empty ? '' : written(counts, unit));
-  const mark = (isWrong: boolean) => {
-    input.setAttribute('aria-invalid', String(isWrong));
-    if (isWrong) input.closest('.field')?.after(limits);
-    else limits.remove();
-  };
+  input.addEventListener('focus', () => (before = counts));
   input.addEventListener('input', () => {
     const value = input.value === '' && empty !== undefined && input.validity.valid ? empty : typed(input, unit);
-    const valid = (value >= least && value <= most) || value === empty;
+    const valid = isWithin(value, measure) || value === empty;
     // Of a number that has only begun, such as "-", the value is empty.
     mark(!valid && input.value !== '');
-    if (valid) onChange((counts = value));
+    const next = valid ? value : before ?? empty ?? counts;
+    if (next !== null && (valid || next !== counts)) onChange((counts = next));
   });
   input.addEventListener('blur', () => {
-    if (input.getAttribute('aria-invalid') === 'true') put();
+    put();
     mark(false);
   });
   return {
@@ -49,5 +51,21 @@ export function numberInput({ unit, least, most, empty, placeholder, whole = fal
       counts = value;
       if (document.activeElement !== input) put();
     },
+  };
+}
+
+export function isWithin(value: number, { least, most, whole = false }: Measure): boolean {
+  return value >= now(least) && value <= now(most) && (!whole || Number.isInteger(value));
+}
+
+/** Returns what marks a field as wrong, with a sentence below it that says what it may be, or as right. */
+export function marking(input: HTMLInputElement, { unit, least, most, whole = false }: Measure): (isWrong: boolean) => void {
+  const limits = h('p', { class: 'reason error', role: 'alert' });
+  return (isWrong) => {
+    input.setAttribute('aria-invalid', String(isWrong));
+    if (!isWrong) return limits.remove();
+    const { factor, unit: name } = shownIn(unit);
+    limits.textContent = words.drawing.within(upTo(now(least) / factor, 6), `${upTo(now(most) / factor, 6)}${name === '°' ? '' : ' '}${name}`.trim(), whole);
+    if (!limits.isConnected) input.closest('.field')?.after(limits);
   };
 }

@@ -5,7 +5,7 @@
 
 import { button, disable, h, setText } from '../core/dom.js';
 import { size } from '../core/format.js';
-import { shownIn, typed, written } from '../core/lengths.js';
+import { shownIn } from '../core/lengths.js';
 import { leave } from '../core/refill.js';
 import { words } from '../core/words/index.js';
 import { type Anchor, ANCHORS, type Place } from 'kerfway';
@@ -13,6 +13,7 @@ import { anchoredAt, AS_DRAWN, fitsBed, jobBox } from '../session/placing.js';
 import { isRefusedOffBed, reachOf } from '../session/off-bed.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
+import { numberInput } from './number-input.js';
 import { type PlacementActions, whyOff } from './placement-section.js';
 import { check, field, select } from './section.js';
 
@@ -37,17 +38,8 @@ export function placementControls(session: Session, actions: PlacementActions): 
   const points = new Map(ANCHORS.map((anchor) => [anchor, radio(anchor, () => choosePoint(session, anchor))]));
   const picker = h('div', { class: 'nine', role: 'radiogroup', 'aria-label': words.placement.point },
     ...ROWS.flat().map((anchor) => points.get(anchor)!.root));
-  const [x, y] = ([0, 1] as const).map((axis) => {
-    const input = h('input', { type: 'number', step: 'any', inputmode: 'decimal' });
-    input.addEventListener('input', () => {
-      const value = typed(input, 'mm');
-      const valid = Number.isFinite(value) && Math.abs(value) <= 1e6;
-      input.setAttribute('aria-invalid', String(!valid && input.value !== ''));
-      if (valid) moveTo(session, axis, value);
-    });
-    return input;
-  }) as [HTMLInputElement, HTMLInputElement];
-  const where = h('div', { class: 'placement-point' }, picker, h('div', { class: 'stack' }, field(words.placement.x, x, 'mm'), field(words.placement.y, y, 'mm')));
+  const at = ([0, 1] as const).map((axis) => numberInput({ unit: 'mm', least: -1e6, most: 1e6 }, (value) => moveTo(session, axis, value)));
+  const where = h('div', { class: 'placement-point' }, picker, h('div', { class: 'stack' }, ...at.map(({ input }, axis) => field(words.placement[axis === 0 ? 'x' : 'y'], input, 'mm'))));
   const turn = (by: number) => session.drawing.change({ turn: ((session.state.load.turn ?? 0) + by + 360) % 360 });
   const turnLeft = button(words.placement.turnLeft, { icon: 'turnLeft', class: 'small', onclick: () => turn(90) });
   const turnRight = button(words.placement.turnRight, { icon: 'turnRight', class: 'small', onclick: () => turn(270) });
@@ -79,8 +71,7 @@ export function placementControls(session: Session, actions: PlacementActions): 
     where.hidden = place === null;
     if (place !== null) {
       for (const [anchor, { input }] of points) input.checked = place.point === anchor;
-      if (document.activeElement !== x) x.value = written(place.at[0], 'mm');
-      if (document.activeElement !== y) y.value = written(place.at[1], 'mm');
+      at.forEach(({ show }, axis) => show(place.at[axis]!));
     }
     const sentence = whyOff(session.state);
     const [x0, y0, x1, y1] = jobBox(placing, loaded, reachOf(session.state));

@@ -5,6 +5,7 @@ import type { MethodInfo, PaperMethod } from 'kerfway';
 import { messageOf } from '../core/strings.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
+import { numberInput } from './number-input.js';
 import { span } from './plan-section.js';
 import { check, field, select } from './section.js';
 import { words } from '../core/words/index.js';
@@ -42,19 +43,14 @@ export function planControls(session: Session): HTMLElement {
       session.store.notify(messageOf(error));
     });
   };
-  const seed = h('input', { type: 'number', min: 0, max: 4294967295, step: 1, inputmode: 'numeric', placeholder: words.plan.random });
-  seed.addEventListener('input', () => {
-    const value = seed.valueAsNumber;
-    if (seed.value === '') session.setSearch({ seed: null }, true);
-    else if (Number.isInteger(value) && value >= 0 && value <= 4294967295) session.setSearch({ seed: value }, true);
-  });
+  const seed = numberInput({ unit: '', least: 0, most: 4294967295, whole: true, empty: -1, placeholder: words.plan.random }, (value) => session.setSearch({ seed: value < 0 ? null : value }, true));
   const byLayer = check(words.plan.byLayer, (on) => session.drawing.change({ orderByLayer: on }));
   const bySheet = check(words.plan.bySheet, (on) => session.drawing.change({ passOrder: on ? 'sheet' : 'contour' }));
   const byPart = check(words.plan.byPart, (on) => session.drawing.change({ partByPart: on }));
   const common = check(words.plan.common, (on) => session.drawing.change({ commonCuts: on ? 'best' : 'off' }));
   const used = h('p', { class: 'soft' });
   const root = h('div', { class: 'stack' },
-    method.root, about, source, own, field(words.plan.time, budget.root), field(words.plan.seed, seed), used, byLayer.root, byPart.root, bySheet.root, common.root,
+    method.root, about, source, own, field(words.plan.time, budget.root), field(words.plan.seed, seed.input), used, byLayer.root, byPart.root, bySheet.root, common.root,
     h('p', { class: 'soft' }, words.plan.always));
 
   const show = ({ search, seed: taken, load, loaded, machine }: State) => {
@@ -82,6 +78,7 @@ export function planControls(session: Session): HTMLElement {
     const open = loaded?.contours.some((c) => !c.closed && c.operation === 'cut') ?? false;
     common.root.hidden = !open || !machine?.pre_cut_time;
     common.input.checked = !off;
+    seed.show(search.seed);
     setText(used, taken === null ? '' : words.plan.used(taken));
     used.hidden = taken === null || search.seed !== null;
   };

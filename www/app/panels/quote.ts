@@ -6,10 +6,11 @@
 import { button, h } from '../core/dom.js';
 import { save } from '../core/files.js';
 import { area, betweenFacts, count, fixed, metres, three, upTo, width } from '../core/format.js';
-import { lengthUnit, typed } from '../core/lengths.js';
+import { lengthUnit } from '../core/lengths.js';
 import { doubtOf, downloadName, messageOf } from '../core/strings.js';
 import type { Material, Quote } from 'kerfway';
 import type { Session } from '../session/session.js';
+import { numberInput } from './number-input.js';
 import { field, type Section } from './section.js';
 import { words } from '../core/words/index.js';
 
@@ -17,8 +18,16 @@ import { words } from '../core/words/index.js';
 const LISTED = 8;
 
 export function quoteContent(session: Session, { root, setGist }: Section, notify: (sentence: string) => void): HTMLElement {
-  const number = () => h('input', { type: 'number', min: 0, step: 'any', inputmode: 'decimal', placeholder: words.quote.notGiven });
-  const [thickness, density] = [number(), number()];
+  const material: Material = {};
+  // The limits are those of the planner.
+  const [thickness, density] = ([['thickness', 'mm', 1000], ['density', 'g/cm³', 25]] as const).map(([name, unit, most]) => {
+    const { input } = numberInput({ unit, least: 0.001, most, empty: 0, placeholder: words.quote.notGiven }, (value) => {
+      if (value === 0) delete material[name];
+      else material[name] = value;
+    });
+    input.addEventListener('change', () => void make());
+    return field(words.quote[name], input, unit);
+  });
   const rows = h('dl', { class: 'parts' });
   const note = h('p', { class: 'soft' });
   let report: Quote | null = null;
@@ -39,7 +48,7 @@ export function quoteContent(session: Session, { root, setGist }: Section, notif
     show();
     if (!root.open || session.state.phase !== 'done') return;
     try {
-      const made = await session.quote({ ...material(thickness, density), ...(session.state.material === null ? {} : { name: session.state.material }) });
+      const made = await session.quote({ ...material, ...(session.state.material === null ? {} : { name: session.state.material }) });
       if (now !== asked) return;
       report = made;
       show();
@@ -53,19 +62,12 @@ export function quoteContent(session: Session, { root, setGist }: Section, notif
     phase = state.phase;
   });
   root.addEventListener('toggle', () => void make());
-  for (const input of [thickness, density]) input.addEventListener('change', () => void make());
   void make();
-  return h('div', { class: 'stack' }, field(words.quote.thickness, thickness, 'mm'), field(words.quote.density, density, 'g/cm³'), note, rows, download);
+  return h('div', { class: 'stack' }, thickness, density, note, rows, download);
 }
 
 /** A web is not measured more exactly than to some hundredths of a millimetre. */
 const hundredths = (mm: number) => (mm < 1 && lengthUnit === 'mm' ? `${upTo(mm, 2)} mm` : width(mm));
-
-function material(thickness: HTMLInputElement, density: HTMLInputElement): Material {
-  const given = (input: HTMLInputElement, unit: string) => (typed(input, unit) > 0 ? typed(input, unit) : undefined);
-  const [t, d] = [given(thickness, 'mm'), given(density, '')];
-  return { ...(t === undefined ? {} : { thickness: t }), ...(d === undefined ? {} : { density: d }) };
-}
 
 function facts(q: Quote): [string, string][] {
   // Narrow places are measured along chords, to some hundredths of a millimetre: a hole of 6 mm has 5.98, which is shown as it was drawn.

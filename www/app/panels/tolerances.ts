@@ -10,6 +10,7 @@ import type { ChangeMark, Comparison } from '../session/comparison.js';
 import { Preview } from '../session/preview.js';
 import { withoutRules } from '../session/rules.js';
 import type { Session } from '../session/session.js';
+import { isWithin, marking } from './number-input.js';
 import { field } from './section.js';
 import { words } from '../core/words/index.js';
 
@@ -54,7 +55,7 @@ export function tolerances(session: Session, mark: (changes: ChangeMark[]) => vo
     const same = keys.every((k) => (draft[k] ?? chosen(k)) === chosen(k));
     apply.disabled = wrong;
     choice.hidden = same && !wrong;
-    if (wrong) setText(outcome, words.drawing.within(upTo(TOLERANCES[key].least / shownIn('mm').factor, 6), inUnit(TOLERANCES[key].most)));
+    if (wrong) setText(outcome, '');
     else if (same) preview.clear();
     else {
       setText(outcome, words.drawing.checking);
@@ -98,7 +99,9 @@ function tolerance({ label, least, most }: Tolerance, onTurn: (mm: number | null
   const slider = h('input', { type: 'range', min: 0, max: STEPS, 'aria-label': label, class: 'tolerance' });
   const span = Math.log(most / least);
   const value = () => typed(input, 'mm');
-  const valid = () => value() >= least && value() <= most;
+  const measure = { unit: 'mm', least, most };
+  const valid = () => isWithin(value(), measure);
+  const mark = marking(input, measure);
   const slide = (mm: number) => {
     const share = Math.min(1, Math.max(0, Math.log(mm / least) / span));
     slider.value = String(Math.round(STEPS * share));
@@ -106,7 +109,7 @@ function tolerance({ label, least, most }: Tolerance, onTurn: (mm: number | null
     slider.setAttribute('aria-valuetext', inUnit(mm));
   };
   const report = () => {
-    input.setAttribute('aria-invalid', String(!valid()));
+    mark(!valid());
     onTurn(valid() ? value() : null);
   };
   input.addEventListener('input', () => {
@@ -123,7 +126,7 @@ function tolerance({ label, least, most }: Tolerance, onTurn: (mm: number | null
   const root = h('div', { class: 'tolerance-field' }, field(label, input, 'mm'), slider);
   const set = (mm: number) => {
     input.value = written(mm, 'mm');
-    input.setAttribute('aria-invalid', 'false');
+    mark(false);
     slide(mm);
   };
   return { root, set, valid };

@@ -198,7 +198,7 @@ export const de: Words = {
   drawing: {
     title: 'Zeichnung', none: 'Noch keine Zeichnung.', tolerances: 'Toleranzen',
     join: 'Enden verbinden, wenn näher als', near: 'Linien einmal schneiden bis Abstand', curves: 'Kurven folgen auf', apply: 'Anwenden', cancel: 'Abbrechen', checking: 'Prüft, was sich ändern würde…',
-    within: (least, most) => `Geben Sie einen Wert von ${least} bis ${most} ein.`,
+    within: (least, most, whole) => `Geben Sie ${whole ? 'eine ganze Zahl' : 'einen Wert'} von ${least} bis ${most} ein.`,
     preview: {
       joins: (n, w) => `${counted(n, w, 'Lücke würde', 'Lücken würden')} geschlossen`, opens: (n, w) => `${counted(n, w, 'Verbindung würde', 'Verbindungen würden')} geöffnet`,
       removals: (n, w) => `${counted(n, w, 'Stück würde', 'Stücke würden')} verschwinden`, contours: (now, then, n) => `${contours(n, then)} statt ${now}`,
@@ -219,7 +219,7 @@ export const de: Words = {
 
   layers: {
     title: 'Layer', operation: (layer) => `Bearbeitung von Layer ${layer}`, contours: 'Konturen', earlier: (layer) => `Früher: ${layer}`, later: (layer) => `Später: ${layer}`,
-    settings: (layer) => `Einstellungen von Layer ${layer}`, settingOf: (setting, layer) => `${setting}, Layer ${layer}`, speed: 'Geschwindigkeit', power: 'Leistung', minPower: 'Kleinste Leistung', passes: 'Durchgänge', zStep: 'Jeden Durchgang tiefer um', air: 'Blasluft', unset: 'auto',
+    settings: (layer) => `Einstellungen von Layer ${layer}`, settingOf: (setting, layer) => `${setting}, Layer ${layer}`, speed: 'Geschwin­dig­keit', power: 'Leistung', minPower: 'Kleinste Leistung', passes: 'Durchgänge', zStep: 'Jeden Durchgang tiefer um', air: 'Blasluft', unset: 'auto',
     suggested: {
       cut: (layer) => `„${layer}“ sieht nach einem Layer zum Schneiden aus.`,
       mark: (layer) => `„${layer}“ sieht nach einem Layer zum Markieren aus, nicht zum Schneiden.`,

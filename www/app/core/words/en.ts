@@ -194,7 +194,7 @@ export const en = {
   drawing: {
     title: 'Drawing', none: 'No drawing yet.', tolerances: 'Tolerances',
     join: 'Join ends closer than', near: 'Cut lines once within', curves: 'Follow curves within', apply: 'Apply', cancel: 'Cancel', checking: 'Checking what would change…',
-    within: (least: string, most: string) => `Enter a value from ${least} to ${most}.`,
+    within: (least: string, most: string, whole: boolean) => `Enter a ${whole ? 'whole number' : 'value'} from ${least} to ${most}.`,
     preview: {
       joins: (n: number, written: string) => `${counted(n, written, 'gap')} would close`, opens: (n: number, written: string) => `${counted(n, written, 'joint')} would open`,
       removals: (n: number, written: string) => `${counted(n, written, 'piece')} would disappear`, contours: (now: string, then: string, n: number) => `${counted(n, then, 'contour')} instead of ${now}`,

@@ -198,7 +198,7 @@ export const es: Words = {
   drawing: {
     title: 'Dibujo', none: 'Todavía no hay dibujo.', tolerances: 'Tolerancias',
     join: 'Unir extremos más próximos que', near: 'Cortar una vez las líneas a menos de', curves: 'Seguir las curvas a menos de', apply: 'Aplicar', cancel: 'Cancelar', checking: 'Comprobando qué cambiaría…',
-    within: (least, most) => `Introduzca un valor de ${least} a ${most}.`,
+    within: (least, most, whole) => `Introduzca un ${whole ? 'número entero' : 'valor'} de ${least} a ${most}.`,
     preview: {
       joins: (n, w) => `${counted(n, w, 'hueco se cerraría', 'huecos se cerrarían')}`, opens: (n, w) => `${counted(n, w, 'unión se abriría', 'uniones se abrirían')}`,
       removals: (n, w) => `${counted(n, w, 'trozo desaparecería', 'trozos desaparecerían')}`, contours: (now, then, n) => `${contours(n, then)} en vez de ${now}`,

@@ -195,7 +195,7 @@ export const ja: Words = {
   drawing: {
     title: '図面', none: 'まだ図面がありません。', tolerances: '許容差',
     join: 'これより近い端をつなぐ', near: 'これより近い線は一度だけ切断', curves: '曲線の近似精度', apply: '適用', cancel: '取り消す', checking: '変化を調べています…',
-    within: (least, most) => `${least} から ${most} の値を入力してください。`,
+    within: (least, most, whole) => `${least} から ${most} の${whole ? '整数' : '値'}を入力してください。`,
     preview: {
       joins: (_n, w) => `隙間 ${w} か所が閉じます`, opens: (_n, w) => `接続 ${w} か所が開きます`,
       removals: (_n, w) => `${w} 個が消えます`, contours: (now, then) => `輪郭 ${now} 個が ${then} 個になります`,

@@ -195,7 +195,7 @@ export const zh: Words = {
   drawing: {
     title: '图', none: '还没有图。', tolerances: '公差',
     join: '连接距离小于此值的端点', near: '距离小于此值的线只切割一次', curves: '曲线逼近精度', apply: '应用', cancel: '取消', checking: '正在检查会有什么变化…',
-    within: (least, most) => `请输入 ${least} 到 ${most} 之间的值。`,
+    within: (least, most, whole) => `请输入 ${least} 到 ${most} 之间的${whole ? '整数' : '值'}。`,
     preview: {
       joins: (_n, w) => `${w} 个间隙会闭合`, opens: (_n, w) => `${w} 个连接会断开`,
       removals: (_n, w) => `${w} 段会消失`, contours: (now, then) => `${then} 个轮廓，现在是 ${now} 个`,
