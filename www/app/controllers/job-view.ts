@@ -46,8 +46,10 @@ export class JobView {
   }
 
   private showDrawing({ loaded, fresh, same }: { loaded: Loaded; fresh: boolean; same: boolean }): void {
-    const { session: { state }, scene, playback, announcer, selection } = this.parts;
+    const { session: { state }, scene, playback, announcer, selection, notices } = this.parts;
     playback.setTimeline(null);
+    // What was said is about the drawing before, and so is the button beside it.
+    if (fresh) notices.hide();
     // The selection stays when the contours are the same.
     const selected = same ? selection.contours : [];
     // A job that is turned lies somewhere else.

@@ -3,7 +3,7 @@
 import { count, POINT } from './format.js';
 import { inChosenUnit, lengthsIn } from './lengths.js';
 import { language, translated, words } from './words/index.js';
-import { type ConfidenceReason, type DoneReason, type Finding, isKerfwayError, type KerfwayError, type MachineProfile, type Operation, type Unit, type UnitsTaken } from 'kerfway';
+import { type ConfidenceReason, type DoneReason, type Finding, isKerfwayError, type KerfwayError, type MachineProfile, type MethodInfo, type Operation, type Unit, type UnitsTaken } from 'kerfway';
 
 /** Millimetres in a unit. */
 export const UNIT_SIZES: Record<Unit, number> = {
@@ -32,15 +32,19 @@ export function messageOf(error: unknown): string {
   return message || words.page.somethingElse;
 }
 
-/** The planner's own sentence; where the language has none, that of its code, with the planner's behind it unless its values say it all. */
+/** The planner's own sentence; where the language has none, that of its code, with the planner's behind it unless that of the code names what it is about. */
 function ofCode({ code, message, params }: KerfwayError): string {
   const translation = inOwnWords(message);
   if (translation !== null) return translation;
   const own = inChosenUnit(message);
   const say = Object.entries(words.errors ?? {}).find(([known]) => known === code)?.[1];
   if (say === undefined) return own;
-  const sentence = say((name) => [params[name] ?? ''].flat().join(', '));
-  return Object.keys(params).length > 0 ? sentence : `${sentence} (${own})`;
+  let named = false;
+  const sentence = say((name) => {
+    named = true;
+    return [params[name] ?? ''].flat().join(', ');
+  });
+  return named ? sentence : `${sentence} (${own})`;
 }
 
 /** What a finding says. `detail`: the planner's sentence, in English, where the page is in another language that has no sentence of its own for it. */
@@ -51,6 +55,9 @@ export function sentenceOf({ code, message, count: n }: Finding): { text: string
 
 /** Why the planner takes the drawing's unit. */
 export const reasonOf = ({ reason }: UnitsTaken): string => inOwnWords(reason) ?? inChosenUnit(reason);
+
+/** What a method does. */
+export const aboutMethod = ({ about }: MethodInfo): string => inOwnWords(about) ?? about;
 
 /** Why the figures of a quote are not sure. */
 export function doubtOf({ message, finding, count: n }: ConfidenceReason): string {

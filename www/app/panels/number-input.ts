@@ -43,7 +43,9 @@ export function numberInput(measure: Measure, onChange: (value: number) => void)
   });
   input.addEventListener('blur', () => {
     put();
-    mark(false);
+    // What is pressed does not move away before it is released.
+    if (document.querySelector(':active') === null) mark(false);
+    else addEventListener('mouseup', () => setTimeout(mark, 0, false), { once: true });
   });
   return {
     input,

@@ -2,7 +2,7 @@
 
 import { h, setText } from '../core/dom.js';
 import type { MethodInfo, PaperMethod } from 'kerfway';
-import { messageOf } from '../core/strings.js';
+import { aboutMethod, messageOf } from '../core/strings.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
 import { numberInput } from './number-input.js';
@@ -55,7 +55,8 @@ export function planControls(session: Session): HTMLElement {
 
   const show = ({ search, seed: taken, load, loaded, machine }: State) => {
     const { methods, papers } = session.catalog;
-    const option = (m: MethodInfo) => ({ value: m.name, label: m.title });
+    // The page has its own name for the order that it compares with.
+    const option = (m: MethodInfo) => ({ value: m.name, label: m.name === 'greedy' ? words.result.greedy : m.title });
     const chosen = [...methods, ...papers].find((m) => m.name === search.method);
     const isPaper = papers.some((m) => m.name === search.method);
     const shown = unfolded || isPaper ? papers : [];
@@ -67,7 +68,7 @@ export function planControls(session: Session): HTMLElement {
     // A budget from an address need not be in the list.
     const budgets = [...new Set([...BUDGETS, search.seconds])].sort((a, b) => a - b);
     budget.fill(budgets.map((s) => ({ value: s, label: span(s) })), search.seconds);
-    setText(about, chosen?.about ?? '');
+    setText(about, chosen ? aboutMethod(chosen) : '');
     byLayer.root.hidden = (loaded?.layers.length ?? 0) < 2;
     byLayer.input.checked = load.orderByLayer ?? false;
     bySheet.root.hidden = passes(session.state) < 2;

@@ -127,7 +127,9 @@ class Row {
 /** How much a better plan could save at most, in seconds of the machine. */
 function leftToGain({ gap, total_time, lower_bound }: Summary): string {
   if (gap === null) return words.result.noBound;
-  return gap <= PROVEN ? words.result.nothingLeft : words.result.atMost(seconds(total_time - lower_bound), percent((total_time - lower_bound) / total_time));
+  // As little as can be written: "at most 0 s" is nothing.
+  const left = Math.max(0.001, total_time - lower_bound);
+  return gap <= PROVEN ? words.result.nothingLeft : words.result.atMost(seconds(left), percent(Math.max(1e-5, left / total_time)));
 }
 
 function showParts(list: HTMLElement, s: Summary, longest: number): void {

@@ -206,6 +206,8 @@ export const SENTENCES = {
   isStep: 'This is a STEP file, a solid. In the CAD program (Fusion, SolidWorks, FreeCAD), export its flat pattern or one of its faces as DXF.',
   isZip: 'This is a ZIP archive (or a document made of one). Unpack it and use the DXF or SVG file in it.',
   isGcode: 'This is G-code, a program for a machine. Use the drawing it was made from, as DXF or SVG.',
+  searchesAll: 'Order, entry and direction searched together; the path improves at every moment.',
+  goesToNearest: 'Goes always to the nearest place where a cut may start next.',
 } as const;
 
 /** The same in another language, with `{0}`, `{1}`, ... for the values, and what stands between two reasons. */

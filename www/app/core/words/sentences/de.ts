@@ -200,4 +200,6 @@ export const sentences: Sentences = {
   isStep: 'Das ist eine STEP-Datei, ein Volumenkörper. Exportieren Sie im CAD-Programm (Fusion, SolidWorks, FreeCAD) die Abwicklung oder eine Fläche als DXF.',
   isZip: 'Das ist ein ZIP-Archiv (oder ein Dokument in dieser Form). Entpacken Sie es und nehmen Sie die DXF- oder SVG-Datei daraus.',
   isGcode: 'Das ist G-Code, ein Programm für eine Maschine. Nehmen Sie die Zeichnung, aus der er gemacht wurde, als DXF oder SVG.',
+  searchesAll: 'Reihenfolge, Einstich und Richtung werden zusammen gesucht; der Weg wird laufend besser.',
+  goesToNearest: 'Geht immer dorthin, wo am nächsten ein Schnitt beginnen kann.',
 };

@@ -200,4 +200,6 @@ export const sentences: Sentences = {
   isStep: 'Es un archivo STEP, un sólido. En el programa de CAD (Fusion, SolidWorks, FreeCAD), exporte su desarrollo o una de sus caras como DXF.',
   isZip: 'Es un archivo ZIP (o un documento hecho así). Descomprímalo y use el archivo DXF o SVG que contiene.',
   isGcode: 'Es código G, un programa para una máquina. Use el dibujo del que salió, en DXF o SVG.',
+  searchesAll: 'Orden, perforación y sentido se buscan a la vez; el recorrido mejora en todo momento.',
+  goesToNearest: 'Va siempre al lugar más cercano donde puede empezar un corte.',
 };

@@ -200,4 +200,6 @@ export const sentences: Sentences = {
   isStep: 'これは STEP ファイル（立体）です。CAD（Fusion、SolidWorks、FreeCAD）で展開図または面を DXF に書き出してください。',
   isZip: 'これは ZIP アーカイブ（またはその形式の文書）です。展開して、中の DXF または SVG を使ってください。',
   isGcode: 'これは G コード（機械のプログラム）です。元の図面を DXF または SVG で使ってください。',
+  searchesAll: '順序、切り始め、向きを同時に探索します。経路は随時改善されます。',
+  goesToNearest: '次の切断を始められる最も近い場所へ常に進みます。',
 };

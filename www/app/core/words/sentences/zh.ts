@@ -200,4 +200,6 @@ export const sentences: Sentences = {
   isStep: '这是 STEP 文件（实体）。请在 CAD 程序（Fusion、SolidWorks、FreeCAD）中将展开图或其中一个面导出为 DXF。',
   isZip: '这是 ZIP 压缩包（或由其构成的文档）。请解压并使用其中的 DXF 或 SVG 文件。',
   isGcode: '这是 G 代码，即机器的程序。请使用生成它的图，格式为 DXF 或 SVG。',
+  searchesAll: '同时搜索顺序、切入点和方向；路径随时都在改进。',
+  goesToNearest: '总是前往最近的可以开始切割的位置。',
 };
