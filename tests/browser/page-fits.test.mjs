@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { wordsOf } from '../package/page-words.mjs';
 import { sample } from './page-drawings.mjs';
 import { drop, openEverything, openPage, phase, planned, SIZES } from './page-support.mjs';
 
@@ -40,6 +41,12 @@ for (const language of ['de', 'es']) {
       await page.evaluate(() => document.body.classList.add('sheet-open'));
       await openEverything(page);
       assert.deepEqual(await page.evaluate(cut), []);
+      // Leads and joints have lists that are shown once they are on.
+      const words = await wordsOf(language);
+      await page.getByLabel(words.leads.kind).selectOption('line');
+      await page.getByLabel(words.joints.on).check();
+      await page.locator('label.field', { hasText: words.joints.kinds.flying }).waitFor();
+      assert.deepEqual(await page.evaluate(cut), [], 'with leads and joints');
       // The name of this machine is longer than the panel is wide.
       assert.deepEqual(await page.locator('.first-machine .wide').evaluate(namesLines), ['Fibre laser, 3 kW, 1 mm stainless steel, nitrogen', 2]);
       const [gist, shown] = await page.locator('.section .gist', { hasText: 'Fibre laser' }).evaluate((gist) => [gist.scrollHeight, gist.clientHeight]);

@@ -172,3 +172,43 @@ test('long German names of fields were broken without a hyphen where the browser
   }).map(({ 0: part }) => part)));
   assert.deepEqual(broken, []);
 });
+
+for (const [width, height] of [[640, 360], [667, 375], [568, 320]]) {
+  test(`the foot of a low and narrow window took half of it (${width} × ${height})`, async (t) => {
+    const { page } = await openPage(t, { size: { width, height }, hash: 'seconds=0.4' });
+    await phase(page, 'done');
+    const { height: foot } = await page.locator('#dock').boundingBox();
+    assert.ok(foot < 0.25 * height, `${foot} of ${height}`);
+    const [stage, toolbar, orders] = await Promise.all(['.stage', '.toolbar', '.orders'].map((name) => page.locator(name).boundingBox()));
+    assert.ok(orders.y + orders.height < toolbar.y && toolbar.y + toolbar.height < stage.y + stage.height, 'the controls on the stage lay over each other');
+    await picture(page, `low-foot-${width}`);
+  });
+}
+
+test('on a phone the names of layers that are cut in order were cut off, with their last button, and so were the fields of a place', async (t) => {
+  for (const size of [SIZES.phone, { width: 320, height: 568 }]) {
+    const { page } = await openPage(t, { size, hash: 'seconds=0.4&by-layer=1&place=lower-left%4010%2C10' });
+    await phase(page, 'planning', 'done');
+    await drop(page, 'layers.dxf', sample('layers.dxf'));
+    await planned(page, 'layers.dxf', 'done');
+    await page.evaluate(() => document.body.classList.add('sheet-open'));
+    await openEverything(page);
+    const found = await page.evaluate(() => {
+      const { scrollWidth, clientWidth } = document.getElementById('sections');
+      const names = [...document.querySelectorAll('.layer-name')].filter((name) => name.scrollWidth > name.clientWidth).map((name) => name.textContent);
+      return [scrollWidth - clientWidth, names, [...document.querySelectorAll('.placement-point input[type=number]')].every((input) => input.checkVisibility() && input.getBoundingClientRect().right < innerWidth - 16)];
+    });
+    assert.deepEqual(found, [0, [], true], size.width);
+  }
+});
+
+test('a word that was searched for in the page scrolled the whole page out of its window', async (t) => {
+  const { page } = await openPage(t, { size: { width: 720, height: 450 }, hash: 'seconds=0.4' });
+  await phase(page, 'planning', 'done');
+  await drop(page, 'gaps.dxf', sample('gaps-and-copies.dxf'));
+  await planned(page, 'gaps.dxf', 'done');
+  await openEverything(page);
+  // What is written for screen readers only.
+  assert.equal(await page.evaluate(() => window.find('Note:')), true);
+  assert.deepEqual(await page.evaluate(() => [scrollY, document.documentElement.scrollHeight]), [0, 450]);
+});

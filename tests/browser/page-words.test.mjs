@@ -196,3 +196,18 @@ test('what is set for a layer is written as its field is: a German noun had a sm
   await replanned(page, () => page.locator('.layer-settings').first().getByLabel('Blasluft').check());
   assert.equal(await page.locator('.layer-set').first().textContent(), 'Blasluft');
 });
+
+test('in German, of two settings that exclude each other it was not said which, and the methods had English names', async (t) => {
+  // A plate that reaches beyond the bed has no sheet to cut up.
+  const { page } = await openPage(t, { hash: 'seconds=0.4&machine=co2-100w&units=mm', prepare: `localStorage.setItem('kerfway.language', 'de')` });
+  await phase(page, 'done');
+  await drop(page, 'square.dxf', Buffer.from(dxf(square(-20, 10, 50))));
+  await planned(page, 'square.dxf', 'done');
+  const words = await wordsOf('de');
+  for (const title of [words.plan.title, words.machine.title]) await page.locator('details.section', { has: page.getByRole('heading', { name: title, exact: true }) }).evaluate((d) => (d.open = true));
+  await page.getByLabel(words.plan.method).selectOption({ label: words.result.greedy });
+  await page.getByText(words.sentences.goesToNearest).waitFor();
+  await page.getByLabel(words.skeleton.on).check();
+  await phase(page, 'ready');
+  assert.match(await page.locator('.dock-head').textContent(), /^Zwei Einstellungen schließen einander aus\. \(Skeleton cuts are not possible: the job reaches beyond the sheet/);
+});
