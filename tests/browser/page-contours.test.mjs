@@ -124,7 +124,7 @@ test('the sheet shows what another tolerance would join or part before it is app
   await says('4 gaps would close');
   assert.match(await told.textContent(), /9 contours instead of 12/);
   await number.fill('9');
-  await says('from 0.001 to 5 mm');
+  await page.locator('.tolerance-field').first().getByText('from 0.001 to 5 mm').waitFor();
   assert.equal(await page.getByRole('button', { name: 'Apply' }).isDisabled(), true);
   await number.press('Escape');
   assert.equal(await number.inputValue(), '0.01');
