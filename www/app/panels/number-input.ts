@@ -29,10 +29,10 @@ export function numberInput(measure: Measure, onChange: (value: number) => void)
   const input = h('input', { type: 'number', step: measure.whole ? 1 : 'any', min: written(now(measure.least), unit), max: written(now(measure.most), unit), inputmode: 'decimal', placeholder });
   const mark = marking(input, measure);
   let counts: number | null = null;
-  /** The value before the person began to type. */
+  /** The value before the person began to type, or that was confirmed since. */
   let before: number | null = null;
   const put = () => (input.value = counts === null || counts === empty ? '' : written(counts, unit));
-  input.addEventListener('focus', () => (before = counts));
+  for (const event of ['focus', 'change']) input.addEventListener(event, () => (before = counts));
   input.addEventListener('input', () => {
     const value = input.value === '' && empty !== undefined && input.validity.valid ? empty : typed(input, unit);
     const valid = isWithin(value, measure) || value === empty;
