@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { grid, sample } from './page-drawings.mjs';
-import { drop, machineSection, openPage, openPlanned, phase, plan, planned, replanned, SIZES } from './page-support.mjs';
+import { drop, machineSection, openPage, openPlanned, phase, plan, planned, replanned, SIZES, storedWith } from './page-support.mjs';
 
 /** What a field shows, whether it is marked as wrong, and the sentence at it. */
 const stateOf = (field) => field.evaluate((input) => {
@@ -134,7 +134,7 @@ test('deleting a setting of the material library took two steps to undo', async 
 
 test('a notice with its button stayed over the next drawing, which the button would have forgotten', async (t) => {
   const page = await openPlanned(t, 'co2-100w', 'first.dxf', grid(9));
-  await page.getByText('Kept in this browser for your next visit.').waitFor({ state: 'attached' });
+  await storedWith(page, 0);
   await page.reload();
   await planned(page, 'first.dxf', 'done');
   const forget = page.locator('.notice').getByRole('button', { name: 'Forget it' });
@@ -142,4 +142,21 @@ test('a notice with its button stayed over the next drawing, which the button wo
   await drop(page, 'second.dxf', grid(12));
   await planned(page, 'second.dxf', 'done');
   assert.equal(await forget.isVisible(), false);
+});
+
+test('an empty field of a layer showed the speed of the machine before, and not that of its material', async (t) => {
+  const page = await openPlanned(t, 'co2-100w', 'layers.dxf', sample('layers.dxf'));
+  await open(page, 'Drawing');
+  await page.getByRole('button', { name: 'Settings of layer CUT' }).click();
+  const shows = (speed, passes) => page.waitForFunction(([speed, passes]) => ['Speed', 'Passes'].map((name) => document.querySelector(`[aria-label="${name}, layer CUT"]`).placeholder).join() === `${speed},${passes}`, [speed, passes]);
+  await shows(35, 1);
+  const machine = await machineSection(page, SIZES.desktop);
+  await machine.getByText('Advanced settings').click();
+  await machine.getByText('Material library').click();
+  await machine.getByLabel('Name of the material').fill('plywood');
+  await replanned(page, () => machine.getByRole('button', { name: 'Save setting' }).click());
+  await replanned(page, () => machine.getByLabel(/^Cutting speed/).fill('50'));
+  await shows(50, 1);
+  await replanned(page, () => machine.locator('label.field', { hasText: 'As the machine is set' }).locator('select').selectOption('plywood'));
+  await shows(35, 1);
 });

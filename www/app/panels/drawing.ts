@@ -122,11 +122,13 @@ export function drawingPanel(session: Session, mark: (changes: ChangeMark[]) => 
     // On a low screen the result comes first, unless the person should look at the drawing.
     if (fresh && !session.state.sample) root.open = opened || innerHeight >= ROOMY || needsAttention(loaded);
   });
-  // The findings of the plan arrive when it starts.
-  let shown = session.state.planFindings;
-  session.store.on('change', ({ planFindings, loaded }) => {
-    if (planFindings !== shown && loaded) showFindings();
-    shown = planFindings;
+  // The findings of the plan arrive when it starts. What layers do where nothing is set for them depends on the machine.
+  let shown = session.state;
+  session.store.on('change', (state) => {
+    const { planFindings, loaded, machine, material } = state;
+    if (planFindings !== shown.planFindings && loaded) showFindings();
+    if ((machine !== shown.machine || material !== shown.material) && loaded) refill(layers, layerList(session, loaded));
+    shown = state;
   });
   const showKept = () => {
     if (!keeper.keeps) leave(kept);

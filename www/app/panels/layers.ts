@@ -5,7 +5,7 @@ import { count, upTo } from '../core/format.js';
 import { shownIn, written } from '../core/lengths.js';
 import { LAYER_COLORS } from '../stage/layer-colors.js';
 import { OPERATIONS } from '../core/strings.js';
-import type { LayerChoice, LayerUse, Loaded, MachineProfile } from 'kerfway';
+import type { LayerChoice, LayerUse, Loaded } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { words } from '../core/words/index.js';
 import { type Measure, numberInput } from './number-input.js';
@@ -58,28 +58,31 @@ interface Quantity extends Measure {
   label: string;
   /** From what is typed to the setting. */
   factor: number;
-  /** What holds where nothing is set. */
-  otherwise(process: MachineProfile['cut']): number | null | undefined;
+  /** The same of a material and of the machine, which holds where nothing is set. */
+  field: 'speed' | 'power' | 'min_power' | 'passes' | 'z_step';
+  /** What holds where these have nothing either. */
+  usual?: number;
 }
 
 const QUANTITIES: readonly Quantity[] = [
-  { key: 'speed', label: words.layers.speed, unit: 'mm/s', least: 0.01, most: 100_000, factor: 1, otherwise: (p) => p.speed },
-  { key: 'power', label: words.layers.power, unit: '%', least: 0, most: 100, factor: 0.01, otherwise: (p) => p.power },
-  { key: 'minPower', label: words.layers.minPower, unit: '%', least: 0, most: 100, factor: 0.01, otherwise: (p) => p.min_power },
-  { key: 'passes', label: words.layers.passes, unit: '', least: 1, most: 100, factor: 1, whole: true, otherwise: (p) => p.passes ?? 1 },
-  { key: 'zStep', label: words.layers.zStep, unit: 'mm', least: 0, most: 50, factor: 1, otherwise: (p) => p.z_step ?? 0 },
+  { key: 'speed', label: words.layers.speed, unit: 'mm/s', least: 0.01, most: 100_000, factor: 1, field: 'speed' },
+  { key: 'power', label: words.layers.power, unit: '%', least: 0, most: 100, factor: 0.01, field: 'power' },
+  { key: 'minPower', label: words.layers.minPower, unit: '%', least: 0, most: 100, factor: 0.01, field: 'min_power' },
+  { key: 'passes', label: words.layers.passes, unit: '', least: 1, most: 100, factor: 1, whole: true, field: 'passes', usual: 1 },
+  { key: 'zStep', label: words.layers.zStep, unit: 'mm', least: 0, most: 50, factor: 1, field: 'z_step', usual: 0 },
 ];
 
 /** What an empty field stands for: nothing is set. */
 const UNSET = -1;
 
 function settingFields(session: Session, layer: LayerUse, set: LayerChoice | undefined): HTMLElement[] {
-  const { machine } = session.state;
-  const process = layer.operation === 'mark' ? machine?.mark : machine?.cut;
+  const { machine, material } = session.state;
+  const process = layer.operation === 'mark' ? 'mark' : 'cut';
+  const setting = machine?.materials?.find((m) => m.name === material)?.[process];
   const fields = QUANTITIES.map((quantity) => {
-    const { key, label, unit, factor, otherwise } = quantity;
+    const { key, label, unit, factor, field: name } = quantity;
     const given = set?.[key];
-    const usual = process && otherwise(process);
+    const usual = setting?.[name] ?? machine?.[process][name] ?? quantity.usual;
     let value = typeof given === 'number' ? given / factor : UNSET;
     const { input, show } = numberInput({ ...quantity, empty: UNSET, placeholder: typeof usual === 'number' ? written(usual / factor, unit) : words.layers.unset }, (typed) => (value = typed));
     input.setAttribute('aria-label', words.layers.settingOf(label, layer.name));
