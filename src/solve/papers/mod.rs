@@ -133,6 +133,7 @@ fn make<M: Solver + Default + Serialize + DeserializeOwned + 'static>(
 
 #[cfg(test)]
 mod tests {
+    use super::test_sheet::sheet;
     use super::{Lpspso, cards, method, parameters, presets};
 
     fn refusal(name: &str, parameters: &str) -> String {
@@ -191,6 +192,52 @@ mod tests {
             "There is no preset named \"as-publishd\". Did you mean \"as-published\"? Choose one of: as-published, at-its-best."
         );
         assert!(refusal("lpspso", r#"{"preset":1}"#).starts_with("The preset is 1: "));
+    }
+
+    /// A negative largest velocity panicked.
+    #[test]
+    fn no_number_that_is_taken_for_a_parameter_panics() {
+        let corners: Vec<Vec<[f64; 2]>> = (0..6)
+            .map(|k| {
+                let (x, y) = (f64::from(k % 3) * 20.0, f64::from(k / 3) * 20.0);
+                vec![[x, y], [x + 9.0, y], [x + 9.0, y + 9.0], [x, y + 9.0]]
+            })
+            .collect();
+        let problem =
+            sheet(&corners.iter().map(Vec::as_slice).collect::<Vec<_>>(), Some(0.5), "length-partial");
+        let (mut taken, mut refused) = (0, 0);
+        for card in cards() {
+            let defaults = card.parameters.as_object().unwrap();
+            for (name, _) in defaults.iter().filter(|(_, value)| value.is_number()) {
+                for number in ["-1000000000", "-1", "0", "0.3", "3", "1000000000"] {
+                    let mut given = serde_json::Map::new();
+                    // A few members, so that there are many rounds.
+                    for (few, count) in [("particles", 4), ("population", 4), ("gtsp_moves", 50)] {
+                        if defaults.contains_key(few) {
+                            given.insert(few.into(), count.into());
+                        }
+                    }
+                    given.insert(name.clone(), serde_json::from_str(number).unwrap());
+                    let text = serde_json::Value::from(given).to_string();
+                    let Ok(made) = method(card.info.name, &text) else {
+                        refused += 1;
+                        continue;
+                    };
+                    let mut search = made.start(&problem, 1, None);
+                    for _ in 0..40 {
+                        search.step(500);
+                    }
+                    assert!(search.best().cost.is_finite(), "{} {text}", card.info.name);
+                    taken += 1;
+                }
+            }
+        }
+        assert!(taken > 300 && refused > 100, "{taken} {refused}");
+        let negative = refusal("pso", r#"{"fastest":-1}"#);
+        assert_eq!(
+            negative,
+            "The parameter \"fastest\" is -1. Give a number from 0 to 1000000000: a velocity is limited in both directions."
+        );
     }
 
     #[test]

@@ -11,6 +11,7 @@ use serde_json::{Map, Value as Json};
 const LIMITS: &[(&str, Range)] = &[
     ("particles", POPULATION),
     ("population", POPULATION),
+    ("fastest", Range::new(0.0, 1e9, "", "a velocity is limited in both directions")),
     ("neighbours", Range::new(1.0, 1000.0, "", "each contour has a list of so many, which takes memory")),
     ("grouping", Range::new(0.0, 1e4, "", "groups settle after some tens of rounds")),
     ("proximity_steps", Range::new(0.0, 1e9, "", "more steps take minutes before the first path")),
