@@ -175,6 +175,8 @@ impl Agent {
     fn choose(&mut self, rng: &mut Rng) {
         let row = self.table[self.state];
         let greedy = self.learning.filter(|l| rng.uniform() >= l.epsilon).is_some();
+        // With a learning rate far above 1, values are no numbers any more, and any action is as good.
+        let greedy = greedy && row.iter().all(|q| !q.is_nan());
         let most = row.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let open: Vec<usize> = (0..3).filter(|&a| !greedy || row[a] >= most).collect();
         self.action = open[rng.below(open.len())];
