@@ -1,6 +1,6 @@
 //! What the check of a certificate may take.
 
-use super::certificate::CertificateFault;
+use super::fault::CertificateFault;
 
 /// Most knots of all items: about 50 MB.
 pub(super) const MOST_KNOTS: usize = 400_000;

@@ -69,6 +69,7 @@ mod charges;
 mod cheap;
 mod effort;
 mod extras;
+mod fault;
 #[cfg(feature = "research")]
 mod flows;
 mod gather;
@@ -114,8 +115,9 @@ use crate::problem::{Item, Problem};
 #[cfg(feature = "research")]
 use crate::solve::Solution;
 #[cfg(feature = "research")]
-pub use certificate::{Certificate, CertificateFault, Certified, SharedLegs, with_paid};
+pub use certificate::{Certificate, Certified, SharedLegs, with_paid};
 use cheap::Cheap;
+pub use fault::CertificateFault;
 #[cfg(feature = "research")]
 pub use flows::FlowBound;
 #[cfg(feature = "research")]

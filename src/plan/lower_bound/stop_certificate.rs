@@ -1,8 +1,9 @@
 //! Certificates of the bound by stops (`postman`), and their check in whole numbers. As with [`super::Certificate`], how the numbers were
 //! found does not matter; the check shares the division of contours, the seconds between pieces and the stops of items with the search.
 
-use super::certificate::{CertificateFault, Certified, unit, units};
+use super::certificate::{Certified, unit, units};
 use super::effort::Effort;
+use super::fault::CertificateFault;
 use super::net::{Item, homes};
 use super::pairs::{Pairs, box_seconds};
 use super::postman::{Member, Stop, Stops, applies, members};

@@ -3,14 +3,8 @@
 use super::super::length::Axis;
 use super::super::report::Subject;
 use super::super::xml::Space;
-use super::{Frame, Place, Walker};
+use super::{Copy, Frame, Place, Walker};
 use crate::geometry::{Affine, DVec2};
-
-/// A `use` with its target.
-pub(super) struct Copy {
-    target: u32,
-    outer: Option<u32>,
-}
 
 impl Walker<'_, '_> {
     /// Visits the element that a `use` copies.

@@ -20,7 +20,6 @@ use super::xml::Document;
 use super::{shape, transform};
 use crate::drawing::{EntityKindCount, ReadError, ReadOptions, Shape};
 use crate::geometry::{Affine, DVec2};
-use copies::Copy;
 use std::collections::BTreeMap;
 
 /// What a walk found.
@@ -102,6 +101,12 @@ struct Frame {
     place: Place,
     /// The size that a `use` gives to the `symbol` or `svg` it copies.
     instance: Option<[Option<f64>; 2]>,
+}
+
+/// A `use` with its target.
+struct Copy {
+    target: u32,
+    outer: Option<u32>,
 }
 
 struct Walker<'w, 'a> {

@@ -1,7 +1,7 @@
 //! Builds the flat tree of an XML file from its tags.
 
 use super::super::entities::Entities;
-use super::{Attribute, Document, Element, Space};
+use super::document::{Attribute, Document, Element, Space};
 use crate::drawing::{Limits, ReadError};
 use quick_xml::Reader;
 use quick_xml::events::Event;

@@ -43,7 +43,7 @@ fn starts_at_the_edge_are_counted_at_the_speed_of_their_cut() {
     let starts = written.moves.iter().filter(|m| matches!(m, Move::Chain { .. })).count();
     assert_eq!(starts, 3, "{:?}", written.moves);
 
-    let measured = Measured { plan: written.clone(), seconds: 1.0 };
+    let measured = Measured { plan: written.clone(), seconds: written.summary.total_time };
     near(calibrate(&machine, &[measured]).unwrap().jobs[0].before, written.summary.total_time);
 
     let quote = job.quote(&Terms::default()).unwrap();

@@ -7,7 +7,8 @@
 //!
 //! A state that no tour comes to may have any potential.
 
-use super::super::certificate::{CertificateFault, Certified};
+use super::super::certificate::Certified;
+use super::super::fault::CertificateFault;
 use super::super::priced_cuts::PricedCut;
 use super::shortest::{Most, Walks, lower};
 use super::{LARGEST, applies, read};

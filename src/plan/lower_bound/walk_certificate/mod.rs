@@ -26,8 +26,9 @@ mod orders;
 mod shortest;
 mod states;
 
-use super::certificate::{CertificateFault, Certified, divided, unit};
+use super::certificate::{Certified, divided, unit};
 use super::effort::MOST_KNOTS;
+use super::fault::CertificateFault;
 use super::mixtures::{MixedLegs, Mixtures};
 use super::net::{Item, homes};
 use super::order::Order;

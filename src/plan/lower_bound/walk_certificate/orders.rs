@@ -4,7 +4,7 @@
 //! some walk from home leads there (`shortest.rs`) so cheaply that both together may take less than stated. Such a walk knows less than a tour: nothing
 //! is dropped that a better tour needs. Where no set is left, no tour takes less. The search for the bound (`orders`) goes the other way, from home.
 
-use super::super::certificate::CertificateFault;
+use super::super::fault::CertificateFault;
 use super::shortest::{Costs, NONE, Walks, lower};
 use std::collections::BTreeMap;
 

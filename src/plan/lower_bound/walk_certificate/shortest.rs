@@ -1,6 +1,7 @@
 //! The shortest walk, in whole numbers: one pass from home, stop by stop, over all states and knots.
 
-use super::super::certificate::{CertificateFault, units};
+use super::super::certificate::units;
+use super::super::fault::CertificateFault;
 use super::super::net::Item;
 use super::super::order::Order;
 use super::super::pairs::{Pairs, box_seconds};

@@ -4,7 +4,7 @@
 //! A walk must not come back to an item, nor to one that has to be before an item it has been to. It knows that of an item as long as this item is in the ng-sets
 //! of all items since.
 
-use super::super::certificate::CertificateFault;
+use super::super::fault::CertificateFault;
 use super::super::order::Order;
 use std::collections::BTreeMap;
 use std::ops::Range;

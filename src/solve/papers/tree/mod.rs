@@ -82,5 +82,6 @@ mod tests;
 mod visits;
 
 pub use methods::{GtspLk, Pfr};
+pub use moves::Reattach;
 pub use parameters::{FinalEntries, InitialPartitions, InitialTours, PartitionTree, TourRepair};
-pub use repartition::{Reattach, RepartitionMoves};
+pub use repartition::RepartitionMoves;

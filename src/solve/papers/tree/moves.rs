@@ -2,8 +2,8 @@
 
 use super::forest::{Forest, NONE};
 use super::graph::Graph;
-use super::repartition::Reattach;
 use crate::problem::NodeId;
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
 /// A change of the tree.
@@ -18,6 +18,17 @@ pub(super) enum TreeMove {
     Own { route: u32, places: Range<usize>, node: NodeId, enter: Option<NodeId> },
     /// Moves contours of a route into a gap, before a position.
     Into { route: u32, places: Range<usize>, to: u32, pos: usize, enter: Option<NodeId> },
+}
+
+/// How contours that a move attaches elsewhere are entered.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Reattach {
+    /// The ring of a partition may be opened at another contour, and a single contour entered at another node.
+    #[default]
+    Reopened,
+    /// Order and entries stay: "simply the reattachment of a partition" (section 4.5).
+    AsItIs,
 }
 
 /// Moves that save time, with the seconds they save; and the number of moves priced.

@@ -2,7 +2,8 @@
 //! `reattach` and `entries`.
 
 use super::graph::Neighbourhood;
-use super::repartition::{Reattach, RepartitionMoves};
+use super::moves::Reattach;
+use super::repartition::RepartitionMoves;
 use serde::{Deserialize, Serialize};
 
 /// The initial partitions (section 4.1, table 2).

@@ -5,7 +5,7 @@
 
 use super::forest::Forest;
 use super::graph::Graph;
-use super::moves::GainfulMoves;
+use super::moves::{GainfulMoves, Reattach};
 use super::visits::keeps_precedence;
 use super::{partitions, sequences};
 use crate::order::{real, sort_by};
@@ -22,17 +22,6 @@ pub enum RepartitionMoves {
     Partitions,
     /// The second set: sub-sequences become partitions or move to others (C-MSP of table 3).
     Sequences,
-}
-
-/// How contours that a move attaches elsewhere are entered.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Reattach {
-    /// The ring of a partition may be opened at another contour, and a single contour entered at another node.
-    #[default]
-    Reopened,
-    /// Order and entries stay: "simply the reattachment of a partition" (section 4.5).
-    AsItIs,
 }
 
 /// Applies the best feasible move of a contour. Returns whether there was one, and the number of moves priced.

@@ -4,8 +4,7 @@
 
 use super::forest::{Forest, ROOT};
 use super::graph::Graph;
-use super::moves::{GainfulMoves, TreeMove};
-use super::repartition::Reattach;
+use super::moves::{GainfulMoves, Reattach, TreeMove};
 use crate::problem::{ItemId, NodeId};
 use crate::solve::epsilon::EPSILON;
 use glam::DVec2;

@@ -2,8 +2,8 @@
 
 use super::super::forest::{Forest, ROOT};
 use super::super::graph::{Graph, Neighbourhood};
-use super::super::moves::{GainfulMoves, TreeMove};
-use super::super::repartition::{Reattach, RepartitionMoves, improve};
+use super::super::moves::{GainfulMoves, Reattach, TreeMove};
+use super::super::repartition::{RepartitionMoves, improve};
 use super::super::visits::{keeps_precedence, solution};
 use super::super::{
     connect::Connections, edmonds::arborescence, entries, partitions, repair::repair, resolve::resolve,
