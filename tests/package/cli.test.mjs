@@ -116,7 +116,7 @@ describe('kerfway methods', () => {
     for (const line of methods) assert.match(line, /^[a-z0-9-]+ {2,}\S.*\. \S.*\./);
     const [title, ...lines] = parameters;
     assert.match(title, /--set:$/);
-    for (const line of lines) assert.match(line, /^[a-z0-9-]+ {2,}([a-z_]+=\S+ ?)+$/);
+    for (const line of lines) assert.match(line, /^[a-z0-9-]+ {2,}([a-z][a-z0-9_]*=\S+ ?)+$/);
     assert.deepEqual(lines.filter((line) => !methods.some((m) => m.split(' ')[0] === line.split(' ')[0])), []);
   });
 });
