@@ -12,7 +12,6 @@ use crate::geometry::{DVec2, Path, Segment};
 use crate::machine::{JointRule, LeadSide, Profile};
 use crate::plan::model::{Move, Plan};
 use crate::sheet::{Operation, Sheet};
-use rustc_hash::FxHashSet;
 use std::borrow::Cow;
 
 /// The rule for the joints of a contour, and whether a person placed them; `None` if nothing asks for joints.
@@ -36,12 +35,6 @@ pub(super) fn asked(sheet: &Sheet, machine: &Profile, id: u32) -> Option<(JointR
         (Some(rule), false) if rule.count > 0 || rule.spacing.is_some() => Some((*rule, false)),
         _ => None,
     }
-}
-
-/// The contours that may be cut as one with others: they have no joints, whether the plan cuts them as one or one by one.
-pub(super) fn grouped(sheet: &Sheet, machine: &Profile) -> FxHashSet<u32> {
-    let groups = sheet.cut_as_one(machine.cuts_as_one());
-    groups.iter().flat_map(|g| &g.contours).copied().collect()
 }
 
 /// Length that each joint of a contour leaves uncut, mm; 0 if it has none.
@@ -101,12 +94,13 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         return;
     }
     let others = Others::new(sheet);
-    let grouped = grouped(sheet, machine);
+    // Contours that may be cut as one with others have no joints, whether the plan cuts them as one or one by one.
+    let grouped = sheet.may_be_cut_as_one(machine.cuts_as_one());
     // Number of joints, and of those among them that may be gaps of overcuts instead.
     let (mut count, mut either) = (0_u32, 0_u32);
     for (id, (contour, mut work)) in (0..).zip(sheet.contours.iter().zip(work(sheet, plan))) {
         let Some((step, _)) = work.first else { continue };
-        let asked = asked(sheet, machine, id).filter(|_| !grouped.contains(&id));
+        let asked = asked(sheet, machine, id).filter(|_| grouped.get(id as usize) != Some(&true));
         let Some((rule, by_hand)) = asked else {
             if let Some(joint) = work.joints.first() {
                 let (step, at) = (joint.step, start_of(joint));

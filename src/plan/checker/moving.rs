@@ -25,7 +25,7 @@ pub(super) fn check(
         return;
     }
     let groups = Groups::new(sheet, machine, plan);
-    let grouped = joints::grouped(sheet, machine);
+    let grouped = sheet.may_be_cut_as_one(machine.cuts_as_one());
     // A cut may pause in sharp corners. Faults of these pauses are reported elsewhere.
     let moves = joined(&plan.moves, machine, &groups, &mut Vec::new());
     let begins = |m: &Move| *m == Move::MovingStart;
@@ -51,7 +51,8 @@ pub(super) fn check(
         if known.operation == Operation::Mark {
             continue;
         }
-        let has_joints = !grouped.contains(contour) && joints::asked(sheet, machine, *contour).is_some();
+        let asks = joints::asked(sheet, machine, *contour).is_some();
+        let has_joints = asks && grouped.get(*contour as usize) != Some(&true);
         let at_rest = groups.holds(*contour) || has_joints;
         if !known.path.closed || at_rest {
             fault("begins a cut moving that has to be pierced at rest");

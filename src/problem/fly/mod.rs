@@ -46,11 +46,10 @@ impl FlyGroups {
         let mut all = Self { groups: Vec::new(), of: vec![None; sheet.contours.len()] };
         let tips: FxHashSet<u32> =
             avoided.iter().flat_map(|z| z.pieces()).flat_map(|p| p.cut_by.iter().copied()).collect();
-        let groups = sheet.cut_as_one(machine.cuts_as_one());
-        let shared: FxHashSet<u32> = groups.iter().flat_map(|g| g.contours.iter().copied()).collect();
+        let shared = sheet.may_be_cut_as_one(machine.cuts_as_one());
         let is_clear = |group: &Flown| avoided.is_none_or(|zones| group.is_clear(zones));
         for mut alike in candidates(sheet, machine, planners, ranks) {
-            alike.retain(|c| !tips.contains(c) && !shared.contains(c));
+            alike.retain(|c| !tips.contains(c) && !shared[*c as usize]);
             let Some(&first) = alike.first() else { continue };
             let process = sheet.process_by_id(first, machine);
             let work = Work { sheet, machine, lever, process, air: AirTime::new(machine) };

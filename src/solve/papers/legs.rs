@@ -94,10 +94,15 @@ impl<'p> Legs<'p> {
         }
     }
 
+    /// The length of a path without the legs from home and to the end.
+    pub fn between_items(&self, nodes: &[NodeId]) -> f64 {
+        nodes.windows(2).map(|w| self.leg(w[0], w[1])).sum()
+    }
+
     /// Length of a whole tour.
     pub fn tour_length(&self, nodes: &[NodeId]) -> f64 {
         let (Some(&first), Some(&last)) = (nodes.first(), nodes.last()) else { return 0.0 };
-        let between: f64 = nodes.windows(2).map(|w| self.leg(w[0], w[1])).sum();
+        let between = self.between_items(nodes);
         self.from_home(first) + between + self.to_end(last, first)
     }
 }

@@ -164,7 +164,7 @@ impl Agent {
             let row = self.table[self.state];
             let next = match next_action {
                 NextAction::Chosen => row[self.action],
-                NextAction::Best => row.into_iter().fold(f64::NEG_INFINITY, f64::max),
+                NextAction::Best => best(row),
             };
             let q = &mut self.table[was.0][was.1];
             *q = update(*q, self.reward, next, alpha, gamma);
@@ -177,11 +177,16 @@ impl Agent {
         let greedy = self.learning.filter(|l| rng.uniform() >= l.epsilon).is_some();
         // With a learning rate far above 1, values are no numbers any more, and any action is as good.
         let greedy = greedy && row.iter().all(|q| !q.is_nan());
-        let most = row.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let most = best(row);
         let open: Vec<usize> = (0..3).filter(|&a| !greedy || row[a] >= most).collect();
         self.action = open[rng.below(open.len())];
         self.chosen[self.action] += 1;
     }
+}
+
+/// The largest value of a row of the table.
+fn best(row: [f64; 3]) -> f64 {
+    row.into_iter().fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// The update of a Q-value, eq. (11).

@@ -141,8 +141,10 @@ impl Proximity {
         if let Some(at) = path.iter().position(|&n| Some(problem.nodes[n as usize].item) == problem.start()) {
             path.rotate_left(at);
         }
-        let between = || path.array_windows().map(|[a, b]| legs.leg(*a, *b)).sum();
-        let length = if self.shortest == Shortest::Between { between() } else { legs.tour_length(&path) };
+        let length = match self.shortest {
+            Shortest::Whole => legs.tour_length(&path),
+            Shortest::Between => legs.between_items(&path),
+        };
         let cost = path.len() as u64;
         let place = self.paths.partition_point(|p| p.0 <= length);
         self.fresh |= place == 0;
