@@ -50,6 +50,7 @@ export async function ofProject(file: string, project: Project, values: Values, 
       delete decided.material;
     }
   }
+  if (project.plan === null) return { decided, plan: null };
   const isOther = Object.keys(load).length > 0 || ['material', 'method', 'set'].some((option) => values[option] !== undefined);
   const isOfSameJob = !isOther && (await keepsMachine(values, planner, machine));
   return { decided, plan: isOfSameJob ? project.plan : null };
