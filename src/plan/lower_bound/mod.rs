@@ -67,8 +67,10 @@
 mod certificate;
 mod charges;
 mod cheap;
+#[cfg(feature = "research")]
 mod effort;
 mod extras;
+#[cfg(feature = "research")]
 mod fault;
 #[cfg(feature = "research")]
 mod flows;
@@ -117,6 +119,7 @@ use crate::solve::Solution;
 #[cfg(feature = "research")]
 pub use certificate::{Certificate, Certified, SharedLegs, with_paid};
 use cheap::Cheap;
+#[cfg(feature = "research")]
 pub use fault::CertificateFault;
 #[cfg(feature = "research")]
 pub use flows::FlowBound;
