@@ -156,6 +156,7 @@ fn a_faulty_file_is_refused_in_one_sentence_with_its_line() {
             changed("DIMENSION : 6", "DIMENSION : 0"),
             "Line 4: DIMENSION has to be a number of nodes from 1 to 4000.",
         ),
+        (changed("DIMENSION : 6", "DIMENSION : 6\nDimension: 7"), "Line 5: DIMENSION is in line 4 already."),
         (without("GTSP_SETS : 4\n"), "The file has no GTSP_SETS."),
         (
             changed("SETS : 4", "SETS : 5"),

@@ -1,9 +1,9 @@
-// Ctrl+C while a command searches: the first one ends the search, and what it has found is written.
+// Ctrl+C or SIGTERM while a command searches: the first one ends the search, and what it has found is written.
 
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
-import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
@@ -14,7 +14,10 @@ import { CLI, fixture, folder, KEYBOARD } from './support.mjs';
 const TELLS = `data:text/javascript,${encodeURIComponent("process.on('newListener', (event) => event === 'SIGINT' && process.stderr.write('[waits for Ctrl+C]'));")}`;
 
 /** Runs the command line, and sends Ctrl+C a moment after it has begun to wait for it `times` times. */
-async function interrupted(times, ...args) {
+const interrupted = (times, ...args) => signalled('SIGINT', times, ...args);
+
+/** Runs the command line, and sends a signal a moment after it has begun to wait for Ctrl+C `times` times. */
+async function signalled(name, times, ...args) {
   const child = spawn(process.execPath, ['--import', TELLS, CLI, ...args], { stdio: ['ignore', 'pipe', 'pipe'] });
   const out = { stdout: '', stderr: '' };
   const waits = () => out.stderr.split('[waits for Ctrl+C]').length - 1;
@@ -23,7 +26,7 @@ async function interrupted(times, ...args) {
   const exited = once(child, 'exit');
   while (waits() < times && child.exitCode === null) await wait(5);
   await wait(100);
-  child.kill('SIGINT');
+  child.kill(name);
   const [code, signal] = await Promise.race([exited, wait(30_000, ['still running', null], { ref: false })]);
   child.kill('SIGKILL');
   return { ...out, code, signal };
@@ -65,5 +68,35 @@ describe('Ctrl+C', () => {
     const { tour, length, moves, seconds } = JSON.parse(readFileSync(json, 'utf8'));
     assert.deepEqual([new Set(tour).size, tour.length], [300, 300]);
     assert.ok(length > 0 && moves > 0 && seconds < 60, `${length} in ${seconds} s`);
+  });
+});
+
+describe('SIGTERM', () => {
+  it('lost the plan of a search, which is written, without a comparison of levers', async (t) => {
+    const json = join(folder(t), 'a.json');
+    const { code, stdout, stderr } = await signalled('SIGTERM', 1, ...plan('--seconds', '600', '--savings', '--json', json));
+    assert.equal(code, 0, stderr);
+    assert.match(stdout, /^Levers {5}not compared, because of SIGTERM$/m);
+    const { summary, savings } = JSON.parse(readFileSync(json, 'utf8'));
+    assert.deepEqual([summary.contours, savings], [60, []]);
+  });
+
+  it('leaves out the drawings after that of the search', async (t) => {
+    const at = folder(t);
+    for (const name of ['a', 'b', 'c']) copyFileSync(fixture(KEYBOARD), join(at, `${name}.dxf`));
+    const { code, stderr } = await signalled('SIGTERM', 1, 'plan', `${at}/*.dxf`, '--seconds', '600', '--json', `${at}/`);
+    assert.equal(code, 4, stderr);
+    assert.deepEqual(stderr.match(/(?<=[/])\w\.dxf was left out: SIGTERM ended the command before\./g), [
+      'b.dxf was left out: SIGTERM ended the command before.',
+      'c.dxf was left out: SIGTERM ended the command before.',
+    ]);
+    assert.deepEqual(['a', 'b', 'c'].map((name) => existsSync(join(at, `${name}.json`))), [true, false, false]);
+  });
+
+  it('ends a command that watches, after its plan is written', async (t) => {
+    const at = folder(t);
+    const { signal, stderr } = await signalled('SIGTERM', 1, ...plan('--seconds', '600', '--watch', '--json', join(at, 'a.json')));
+    assert.equal(signal, 'SIGTERM', stderr);
+    assert.equal(JSON.parse(readFileSync(join(at, 'a.json'), 'utf8')).contours.length, 60);
   });
 });

@@ -1,10 +1,11 @@
 //! A file of the TSPLIB family taken apart: header values, and sections of numbers.
 //!
 //! A line that starts with a letter is a keyword with or without a value; numbers belong to the keyword above them,
-//! however they are broken into lines. Unknown keywords are skipped with their numbers.
+//! however they are broken into lines. Unknown keywords are skipped with their numbers. Only remarks may be there twice.
 
 use super::error::InstanceError;
 use crate::problem::Table;
+use std::collections::HashMap;
 
 /// Most nodes of an instance in the plane, which needs no table of costs: the largest of GTSPLIB has 85,900, and 100,000 take
 /// about 200 MB in a search.
@@ -30,6 +31,7 @@ pub(super) struct Part<'t> {
 impl<'t> File<'t> {
     pub(super) fn parse(text: &'t str) -> Result<Self, InstanceError> {
         let mut parts: Vec<Part> = Vec::new();
+        let mut lines: HashMap<String, usize> = HashMap::new();
         for (line, row) in (1..).zip(text.trim_start_matches('\u{feff}').lines()) {
             let row = row.trim();
             if row.starts_with(|c: char| c.is_alphabetic()) {
@@ -37,6 +39,11 @@ impl<'t> File<'t> {
                 let key = key.trim().to_ascii_uppercase();
                 if key == "EOF" {
                     break;
+                }
+                let first = *lines.entry(key.clone()).or_insert(line);
+                if first != line && key != "COMMENT" {
+                    let what = format!("{} is in line {first} already.", short(&key));
+                    return Err(InstanceError::at(line, what));
                 }
                 parts.push(Part { key, value: value.trim(), line, numbers: Vec::new(), lines: Vec::new() });
             } else if !row.is_empty() {

@@ -1,9 +1,11 @@
 /** Runs a command for each of its files, one after the other. */
 
+import { KerfwayError } from '../errors.js';
 import type { Words } from './arguments.js';
 import { Destinations, type Output } from './destinations.js';
 import { filesOf } from './glob.js';
-import { EXIT, failureDocument, print, Unusable } from './io.js';
+import { toldToEnd } from './interrupt.js';
+import { EXIT, failureDocument, print, subject, Unusable } from './io.js';
 import { Report, type Column } from './report.js';
 import { complain } from './safe-text.js';
 import { STANDARD_OUTPUT } from './target.js';
@@ -48,6 +50,7 @@ export async function eachFile({ words, values }: Words, { outputs, columns, inp
     const exits = new Set<number>();
     for (const file of files) {
       try {
+        if (toldToEnd()) throw leftOut(file);
         await work(file, { index: all.indexOf(file), of: all.length }, to);
       } catch (error) {
         if (!(error instanceof Unusable)) throw error;
@@ -65,4 +68,9 @@ export async function eachFile({ words, values }: Words, { outputs, columns, inp
   if (values['watch'] === true) return watch(words, { round, existing: (file) => destinations.existing(file) });
   const files = filesOf(words);
   await round(files, files);
+}
+
+function leftOut(file: string): Unusable {
+  const message = `${subject(file)} was left out: SIGTERM ended the command before.`;
+  return new Unusable(message, new KerfwayError('stopping', message).toJSON());
 }

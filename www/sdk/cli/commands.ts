@@ -25,11 +25,13 @@ const MANY =
   'a folder, ending in /, with one file for each drawing, or - for JSON with one document per line. An unusable drawing is ' +
   'reported in a sentence; the others are processed anyway.';
 
+const SIGNALS = 'Ctrl+C ends a search and keeps its result. SIGTERM does so, too, and leaves out the drawings after it.';
+
 export const COMMANDS: Readonly<Record<string, Command>> = {
   plan: {
     about: 'plan the path and write it',
     words: 'FILE...',
-    text: `Plans the path of the laser for each drawing and writes the requested outputs. ${MANY} Ctrl+C ends a search and keeps its result.`,
+    text: `Plans the path of the laser for each drawing and writes the requested outputs. ${MANY} ${SIGNALS}`,
     options: {
       'Outputs; - is standard output': {
         gcode: { value: 'OUT', about: 'G-code for the machine' },
@@ -78,7 +80,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
   quote: {
     about: 'plan, and report what a price depends on',
     words: 'FILE...',
-    text: `Reports lengths, times, areas, weight, identical parts and possible defects of each drawing, with a hash that confirms the report. ${MANY} Ctrl+C ends a search and keeps its result.`,
+    text: `Reports lengths, times, areas, weight, identical parts and possible defects of each drawing, with a hash that confirms the report. ${MANY} ${SIGNALS}`,
     options: {
       'The sheet': {
         material: { value: 'NAME', about: "its name: a setting of the machine's library, if it has one" },
@@ -192,7 +194,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
   solve: {
     about: 'solve a benchmark instance: .tsp, .gtsp or .pcglns',
     words: 'FILE',
-    text: 'Solves an instance of TSPLIB, GTSPLIB or PCGTSP with the default method. Ctrl+C ends the search and keeps its result.',
+    text: 'Solves an instance of TSPLIB, GTSPLIB or PCGTSP with the default method. Ctrl+C or SIGTERM ends the search and keeps its result.',
     options: {
       'How to solve': {
         seconds: PLANNING['seconds'] as Option,

@@ -2,6 +2,7 @@
 
 import { setTimeout as wait } from 'node:timers/promises';
 import { filesOf } from './glob.js';
+import { toldToEnd } from './interrupt.js';
 import { WrongUse } from './io.js';
 import { complain } from './safe-text.js';
 import { lookAt, STANDARD_INPUT } from './target.js';
@@ -46,6 +47,7 @@ export async function watch(words: readonly string[], { round, existing }: Watch
         const left = stale(existing(file));
         if (left !== '') complain(`${file} was not planned.${left}`);
       }
+      if (toldToEnd()) process.kill(process.pid, 'SIGTERM');
       if (process.stderr.isTTY) process.stderr.write('Watching; Ctrl+C ends.\n');
     }
     await wait(INTERVAL);
