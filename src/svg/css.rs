@@ -3,64 +3,15 @@
 //! Selectors of type, class and id, their combinations, and ancestors (`g .cut`, `g > path`) are understood, which is what
 //! drawing programs write. Other rules are counted, so that a finding can report them.
 
+use super::custom::Custom;
+use super::declarations::{Declaration, declarations};
 use super::steps::Steps;
 use super::xml::Document;
 use rustc_hash::FxHashMap;
-use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 /// Largest number of rules that are read. Illustrator writes one for each style, some hundreds at most.
 const MOST_RULES: usize = 20_000;
-
-/// A declaration such as `stroke: red`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Declaration<'s> {
-    pub(super) name: &'s str,
-    pub(super) value: &'s str,
-    pub(super) important: bool,
-}
-
-/// The text of a style sheet or of a `style` attribute without its comments. Those in quotes are none.
-pub(super) fn without_comments(text: &str) -> Cow<'_, str> {
-    if !text.contains("/*") {
-        return Cow::Borrowed(text);
-    }
-    let mut kept = String::with_capacity(text.len());
-    let mut quote = None;
-    let mut rest = text;
-    while let Some(next) = rest.chars().next() {
-        if let (None, Some(comment)) = (quote, rest.strip_prefix("/*")) {
-            // A comment that does not end goes on to the end of the text.
-            rest = comment.split_once("*/").map_or("", |(_, after)| after);
-            continue;
-        }
-        quote = match (quote, next) {
-            (None, '"' | '\'') => Some(next),
-            // A line break ends a text in quotes, as in browsers.
-            (Some(_), '\n') => None,
-            (Some(open), _) if open == next => None,
-            (open, _) => open,
-        };
-        kept.push(next);
-        rest = rest.get(next.len_utf8()..).unwrap_or_default();
-    }
-    Cow::Owned(kept)
-}
-
-/// The declarations of a text without braces and comments, in order.
-pub(super) fn declarations(text: &str) -> impl Iterator<Item = Declaration<'_>> {
-    text.split(';').filter_map(|part| {
-        let (name, value) = part.split_once(':')?;
-        let value = value.trim();
-        let (value, important) = match value.rsplit_once('!') {
-            Some((before, word)) if word.trim().eq_ignore_ascii_case("important") => {
-                (before.trim_end(), true)
-            }
-            _ => (value, false),
-        };
-        Some(Declaration { name: name.trim(), value, important })
-    })
-}
 
 /// One element of a selector: `path.cut#a`.
 #[derive(Debug, Default, PartialEq)]
@@ -70,12 +21,17 @@ struct Compound<'s> {
     classes: Vec<&'s str>,
     /// Whether it must be the parent of the compound after it, and not any ancestor.
     is_parent: bool,
+    /// Whether it must be the outermost element: `:root`.
+    is_root: bool,
 }
 
 impl<'s> Compound<'s> {
     /// Reads a compound; `None` if it has anything else.
     fn read(text: &'s str) -> Option<Self> {
-        let mut compound = Self::default();
+        let mut compound = Self { is_root: text == ":root", ..Self::default() };
+        if compound.is_root {
+            return Some(compound);
+        }
         let mut rest = text;
         let first = rest.find(['.', '#']).unwrap_or(rest.len());
         let (tag, after) = rest.split_at(first);
@@ -104,7 +60,8 @@ impl<'s> Compound<'s> {
         let class = document.attribute(element, "class").unwrap_or_default();
         let classes = || class.split_ascii_whitespace();
         steps.take(1 + class.len() * self.classes.len());
-        self.tag.is_none_or(|t| document.name(element) == t)
+        (!self.is_root || element == 0)
+            && self.tag.is_none_or(|t| document.name(element) == t)
             && self.id.is_none_or(|id| document.attribute(element, "id") == Some(id))
             && self.classes.iter().all(|c| classes().any(|own| own == *c))
     }
@@ -157,6 +114,8 @@ pub(super) struct StyleSheet<'s> {
     rules: Vec<Rule<'s>>,
     /// Rules by the class, id or type of the element itself: `.a`, `#a`, `path`, or empty for all elements.
     by_key: FxHashMap<&'s str, Vec<usize>>,
+    /// The custom properties of all its rules.
+    pub(super) custom: Custom,
     /// Number of rules that are not understood.
     pub(super) not_understood: u32,
 }
@@ -176,13 +135,19 @@ impl<'s> StyleSheet<'s> {
                 continue;
             }
             let end = closing_brace(after);
-            let body = after.get(1..end).unwrap_or_default();
+            let mut body = after.get(1..end).unwrap_or_default();
             rest = after.get(end + 1..).unwrap_or_default();
             if head.starts_with('@') {
                 // Fonts do not matter, and rules for media and animations do not hold on a machine.
                 sheet.not_understood += u32::from(!head.starts_with("@font-face"));
                 continue;
             }
+            if let Some(nested) = body.find('{') {
+                // A rule inside this one, whose selector comes after the last declaration before it.
+                sheet.not_understood += 1;
+                body = body.get(..nested).and_then(|b| b.rsplit_once(';')).map_or("", |(kept, _)| kept);
+            }
+            sheet.custom.add(declarations(body));
             for selector in head.split(',') {
                 sheet.add(selector.trim(), body);
             }
@@ -212,7 +177,7 @@ impl<'s> StyleSheet<'s> {
         let sum = |f: fn(&Compound<'_>) -> usize| compounds.iter().map(f).sum::<usize>();
         let specificity = [
             sum(|c| usize::from(c.id.is_some())),
-            sum(|c| c.classes.len()),
+            sum(|c| c.classes.len() + usize::from(c.is_root)),
             sum(|c| usize::from(c.tag.is_some())),
         ];
         let last = compounds.last();
@@ -311,32 +276,11 @@ mod tests {
             "@import url(a.css); @media print{path{stroke:red}} a:hover{x:1} [id]{x:1} .a{x:1}",
         );
         assert_eq!((sheet.rules.len(), sheet.not_understood), (1, 4));
+        let nested = StyleSheet::read("g{stroke:red; path{fill:none} x:1} path{y:1}");
+        assert_eq!((nested.rules.len(), nested.not_understood), (2, 1));
+        assert_eq!(nested.rules[0].declarations, "stroke:red");
         for text in ["{", "}", "a{", "{}", "a{b", ",{x:1}", ";;", "@", "/*", "a>{x:1}"] {
             StyleSheet::read(text);
         }
-    }
-
-    /// A comment took away all that came before it.
-    #[test]
-    fn comments_take_nothing_else_away() {
-        for (text, kept) in [
-            ("a{x:1;/* b */y:2}", "a{x:1;y:2}"),
-            (".a /* b */, .c /* d */{x:1}", ".a , .c {x:1}"),
-            ("/* a{b:c} */ .a{x:1}", " .a{x:1}"),
-            ("/***/a/*/b*/c", "ac"),
-            ("a{x:'/*'; y:\"*/\"}", "a{x:'/*'; y:\"*/\"}"),
-            ("a /* b", "a "),
-            ("\u{e4}/*\u{f6}*/\u{fc}", "\u{e4}\u{fc}"),
-        ] {
-            assert_eq!(without_comments(text), kept, "{text}");
-        }
-    }
-
-    #[test]
-    fn declarations_with_importance() {
-        let found: Vec<_> = declarations("stroke:red; fill: #00F !important;;bad; x:")
-            .map(|d| (d.name, d.value, d.important))
-            .collect();
-        assert_eq!(found, [("stroke", "red", false), ("fill", "#00F", true), ("x", "", false)]);
     }
 }

@@ -29,6 +29,7 @@ impl Line {
         let paint = match self.paint() {
             Paint::Color(rgb) => rgb.hex(),
             Paint::Pattern => "pattern".to_owned(),
+            Paint::Unread => "unknown colour".to_owned(),
             Paint::Other | Paint::None | Paint::Current => "gradient".to_owned(),
         };
         match self {

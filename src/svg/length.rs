@@ -32,6 +32,13 @@ impl Length {
     pub(super) fn read(text: &str) -> Option<Self> {
         let mut scanner = Scanner::new(text);
         scanner.skip_blanks();
+        let length = Self::scan(&mut scanner)?;
+        scanner.skip_blanks();
+        scanner.rest().is_empty().then_some(length)
+    }
+
+    /// Reads the length that comes next.
+    pub(super) fn scan(scanner: &mut Scanner<'_>) -> Option<Self> {
         let number = scanner.number()?;
         let unit = if scanner.accept(b'%') {
             LengthUnit::Percent
@@ -50,8 +57,7 @@ impl Length {
                 _ => return None,
             }
         };
-        scanner.skip_blanks();
-        scanner.rest().is_empty().then_some(Self { number, unit })
+        Some(Self { number, unit })
     }
 
     /// The length in mm, if its unit is one of a ruler.

@@ -19,6 +19,8 @@ mod aspect;
 mod color;
 mod color_names;
 mod css;
+mod custom;
+mod declarations;
 mod entities;
 mod layers;
 mod length;

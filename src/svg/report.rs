@@ -16,6 +16,10 @@ pub(super) enum Subject {
     Filled(&'static str),
     /// Shapes with a wide stroke.
     Wide,
+    /// Shapes in a colour that cannot be read.
+    Colour,
+    /// Shapes whose stroke has no width.
+    Thin,
     /// Shapes with a dashed stroke.
     Dashed,
     /// Elements of which only a part is shown.
@@ -34,8 +38,16 @@ pub(super) enum Subject {
     Transform,
     /// Elements whose `transform-origin` is not supported.
     Origin,
+    /// Elements with another value that cannot be read and decides what is drawn, or where.
+    Style,
+    /// Copies and pages whose place or size cannot be read.
+    Length,
+    /// A page with a transform.
+    Page,
     /// Rules of style sheets.
     Rules,
+    /// Style sheets.
+    Sheets,
     /// Entities in text.
     Entities,
 }
@@ -181,6 +193,22 @@ impl Subject {
                     many("shape has", "shapes have")
                 ),
             ),
+            Self::Colour => (
+                Code::OutlineTaken,
+                Warning,
+                format!(
+                    "{} drawn in a colour that cannot be read (var(), oklch() and the like): cut all the same. Give a plain colour in the drawing program, or choose what happens to the layer.",
+                    many("shape is", "shapes are")
+                ),
+            ),
+            Self::Thin => (
+                Code::OutlineTaken,
+                Info,
+                format!(
+                    "{} a stroke of width 0, which no screen shows: cut all the same.",
+                    many("shape has", "shapes have")
+                ),
+            ),
             Self::Dashed => (
                 Code::OutlineTaken,
                 Info,
@@ -241,7 +269,7 @@ impl Subject {
                 Code::InvalidGeometry,
                 Warning,
                 format!(
-                    "{} a transform that cannot be read: placed without it, as browsers do.",
+                    "{} a transform that cannot be read: placed without it. Apply the transform in the drawing program.",
                     many("object has", "objects have")
                 ),
             ),
@@ -251,6 +279,35 @@ impl Subject {
                 format!(
                     "{} turned or scaled about a point that cannot be read (transform-origin): the origin of the page is taken. Apply the transform in the drawing program.",
                     many("object is", "objects are")
+                ),
+            ),
+            Self::Style => (
+                Code::InvalidGeometry,
+                Warning,
+                format!(
+                    "{} a style with a value that cannot be read (var(), offset-path and the like), which is left out. Save the drawing as plain SVG.",
+                    many("object has", "objects have")
+                ),
+            ),
+            Self::Length => (
+                Code::InvalidGeometry,
+                Warning,
+                format!(
+                    "{} a place or size that cannot be read, which counts as missing. Write it as a number with a unit.",
+                    many("object has", "objects have")
+                ),
+            ),
+            Self::Page => (
+                Code::InvalidGeometry,
+                Warning,
+                "The page itself has a transform, which is applied about its corner; browsers take its middle. Check the place of the drawing, or apply the transform in the drawing program.".to_owned(),
+            ),
+            Self::Sheets => (
+                Code::UnsupportedEntity,
+                Info,
+                format!(
+                    "{n} style {} not read: another file, or not one for screens. Check that nothing is missing.",
+                    if n == 1 { "sheet is" } else { "sheets are" }
                 ),
             ),
             Self::Rules => (

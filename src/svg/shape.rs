@@ -4,8 +4,10 @@ use super::length::{Axis, Lengths};
 use super::numbers::Scanner;
 use super::outline::{Chain, Piece};
 use super::path_data;
+use super::style::Own;
 use super::xml::Document;
 use crate::geometry::{DVec2, Ellipse};
+use std::cell::Cell;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// The outline of a shape.
@@ -34,10 +36,42 @@ pub(super) fn kind(name: &str) -> Option<&'static str> {
     KINDS.into_iter().find(|k| *k == name)
 }
 
-/// The outline of a shape.
-pub(super) fn outline(document: &Document<'_>, element: u32, kind: &str, lengths: &Lengths) -> Outline {
-    let text = |name: &str| document.attribute(element, name);
-    let length = |name: &str, axis: Axis| text(name).and_then(|t| lengths.read(t, axis));
+/// The outline of a shape. `own`: what its style sheets say.
+pub(super) fn outline(
+    document: &Document<'_>,
+    element: u32,
+    kind: &str,
+    own: &Own,
+    lengths: &Lengths,
+) -> Outline {
+    let unread = Cell::new(false);
+    let text = |name: &str| own.geometry(document, element, name);
+    let length = |name: &str, axis: Axis| {
+        let text = text(name)?;
+        let length = lengths.read(text, axis);
+        unread.set(unread.get() || (length.is_none() && !is_missing(text)));
+        length
+    };
+    let outline = of_kind(kind, &text, &length);
+    if unread.get() {
+        return Outline {
+            fault: Some("one of its lengths cannot be read, and counts as missing"),
+            ..outline
+        };
+    }
+    outline
+}
+
+/// Whether a length says that there is none.
+pub(super) fn is_missing(length: &str) -> bool {
+    matches!(length.trim(), "" | "auto")
+}
+
+fn of_kind<'t>(
+    kind: &str,
+    text: &impl Fn(&str) -> Option<&'t str>,
+    length: &impl Fn(&str, Axis) -> Option<f64>,
+) -> Outline {
     let x = |name: &str| length(name, Axis::Width);
     let y = |name: &str| length(name, Axis::Height);
     match kind {

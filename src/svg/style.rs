@@ -4,11 +4,13 @@
 //! `!important`.
 
 use super::color::{self, Rgb};
-use super::css::{Declaration, StyleSheet, declarations, without_comments};
-use super::length::{Axis, Lengths};
+use super::css::StyleSheet;
+use super::declarations::{Declaration, declarations, without_comments};
+use super::length::{Axis, Length, LengthUnit, Lengths};
 use super::numbers::Scanner;
 use super::steps::Steps;
 use super::xml::{Document, Space};
+use std::borrow::Cow;
 
 /// What a line or an area is painted with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -19,6 +21,8 @@ pub(super) enum Paint {
     Other,
     /// A pattern, whose own lines are not read.
     Pattern,
+    /// A colour that cannot be read: `oklch()`, or `var()` of a property that is not known.
+    Unread,
     /// The colour that the property `color` has where it is painted.
     Current,
 }
@@ -76,11 +80,45 @@ pub(super) struct Own {
     pub(super) transform: Option<String>,
     /// The value of `transform-origin`.
     pub(super) origin: Option<String>,
-    /// Whether `transform-box` places this origin in the element's own box.
-    pub(super) own_box: bool,
+    /// The box in which `transform-box` places this origin.
+    pub(super) reference: Reference,
+    /// The values of `translate`, `rotate` and `scale`, which come before `transform`.
+    pub(super) moves: [Option<String>; 3],
+    /// Places and sizes that style sheets give to a shape, a copy or a page, the strongest last.
+    pub(super) geometry: Vec<(String, String)>,
+    /// Whether a value that decides what is drawn, or where, cannot be read.
+    pub(super) unread: bool,
     pub(super) clipped: bool,
     pub(super) masked: bool,
     pub(super) marked: bool,
+}
+
+/// The box that the origin of a transform refers to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Reference {
+    /// The nearest viewport.
+    #[default]
+    View,
+    /// The box of the element without its stroke.
+    Fill,
+    /// That with its stroke.
+    Stroke,
+}
+
+/// The properties of [`Own::geometry`].
+const GEOMETRY: [&str; 10] = ["x", "y", "width", "height", "rx", "ry", "cx", "cy", "r", "d"];
+
+impl Own {
+    /// A place or size: that of a style sheet, or else the attribute.
+    pub(super) fn geometry<'o>(
+        &'o self,
+        document: &'o Document<'_>,
+        element: u32,
+        name: &str,
+    ) -> Option<&'o str> {
+        let from_style = self.geometry.iter().rfind(|(n, _)| n == name).map(|(_, value)| value.as_str());
+        from_style.or_else(|| document.attribute(element, name))
+    }
 }
 
 /// The style of an element inside one with the style `inherited`. `steps`: as for [`StyleSheet::matching`].
@@ -92,16 +130,27 @@ pub(super) fn resolve(
     lengths: &Lengths,
     steps: &mut Steps,
 ) -> (Style, Own) {
-    let mut cascade = Cascade { document, inherited, lengths, style: *inherited, own: Own::default() };
+    let rules = sheet.matching(document, element, steps);
+    let mut cascade = Cascade {
+        document,
+        sheet,
+        inherited,
+        lengths,
+        steps,
+        style: *inherited,
+        own: Own::default(),
+        painted: [false; 2],
+    };
     for a in document.attributes(element).iter().filter(|a| a.space == Space::None) {
         cascade.apply(a.name, a.value.trim());
     }
-    let rules = sheet.matching(document, element, steps);
     let inline = without_comments(document.attribute(element, "style").unwrap_or_default());
     let inline: Vec<Declaration<'_>> = declarations(&inline).collect();
     for important in [false, true] {
         for d in rules.iter().chain(&inline).filter(|d| d.important == important) {
-            cascade.apply(d.name, d.value);
+            let name = d.name.to_ascii_lowercase();
+            cascade.apply(&name, d.value);
+            cascade.apply_property(&name, d.value);
         }
     }
     (cascade.style, cascade.own)
@@ -109,41 +158,79 @@ pub(super) fn resolve(
 
 struct Cascade<'c> {
     document: &'c Document<'c>,
+    sheet: &'c StyleSheet<'c>,
     inherited: &'c Style,
     lengths: &'c Lengths,
+    steps: &'c mut Steps,
     style: Style,
     own: Own,
+    /// Whether the element itself has set its stroke, and its fill.
+    painted: [bool; 2],
 }
 
 impl Cascade<'_> {
+    /// A value with custom properties replaced; `None` if that is not possible.
+    fn replaced<'v>(&mut self, value: &'v str) -> Option<Cow<'v, str>> {
+        if value.contains("var(") {
+            self.sheet.custom.replaced(value, self.steps)
+        } else {
+            Some(value.into())
+        }
+    }
+
+    /// Applies an attribute or a property.
     fn apply(&mut self, name: &str, value: &str) {
+        const READ: [&str; 6] =
+            ["visibility", "display", "opacity", "stroke-opacity", "fill-opacity", "transform"];
+        let Some(value) = self.replaced(value) else {
+            match name {
+                "stroke" => self.set_paint(0, Paint::Unread),
+                "fill" => self.set_paint(1, Paint::Unread),
+                _ => self.own.unread |= READ.contains(&name),
+            }
+            return;
+        };
+        let value = value.as_ref();
         let (style, inherited) = (&mut self.style, self.inherited);
         let inherits = value == "inherit";
         let is_reference = value.starts_with("url(");
         match name {
             "stroke" | "fill" => {
-                let is_stroke = name == "stroke";
-                let before = if is_stroke { inherited.stroke } else { inherited.fill };
-                let paint = if inherits { Some(before) } else { self.paint(value) };
+                let k = usize::from(name == "fill");
+                let paint = match value {
+                    "inherit" | "unset" | "revert" => Some([inherited.stroke, inherited.fill][k]),
+                    "initial" => Some([Style::INITIAL.stroke, Style::INITIAL.fill][k]),
+                    _ => self.paint(value),
+                };
                 if let Some(paint) = paint {
-                    *(if is_stroke { &mut self.style.stroke } else { &mut self.style.fill }) = paint;
+                    self.set_paint(k, paint);
                 }
             }
             "color" if inherits => style.color = inherited.color,
             "color" => style.color = color::read(value).map_or(style.color, |c| c.0),
             "visibility" if inherits => style.visible = inherited.visible,
-            "visibility" => style.visible = !(is(value, "hidden") || is(value, "collapse")),
+            // What is no value changes nothing.
+            "visibility" if is(value, "visible") => style.visible = true,
+            "visibility" if is(value, "hidden") || is(value, "collapse") => style.visible = false,
             "display" => self.own.undisplayed = is(value, "none"),
-            "opacity" => self.own.transparent = is_zero(value),
-            "stroke-opacity" => style.stroke_opaque = !is_zero(value),
-            "fill-opacity" => style.fill_opaque = !is_zero(value),
+            "opacity" => self.own.transparent = is_zero(value).unwrap_or(self.own.transparent),
+            "stroke-opacity" => {
+                style.stroke_opaque = is_zero(value).map_or(style.stroke_opaque, |zero| !zero)
+            }
+            "fill-opacity" => style.fill_opaque = is_zero(value).map_or(style.fill_opaque, |zero| !zero),
             "stroke-width" => {
                 style.width = self.lengths.read(value, Axis::Diagonal).unwrap_or(style.width);
             }
             "stroke-dasharray" => style.dashed = value.bytes().any(|b| b.is_ascii_digit() && b != b'0'),
             "transform" => self.own.transform = Some(value.to_owned()),
             "transform-origin" => self.own.origin = Some(value.to_owned()),
-            "transform-box" => self.own.own_box = !matches!(value, "view-box" | "initial" | "unset"),
+            "transform-box" => {
+                self.own.reference = match value {
+                    "fill-box" | "content-box" => Reference::Fill,
+                    "stroke-box" | "border-box" => Reference::Stroke,
+                    _ => Reference::View,
+                };
+            }
             // A reference, or a basic shape such as `circle(5px)`.
             "clip-path" => self.own.clipped = value.contains('('),
             "mask" => self.own.masked = is_reference,
@@ -152,26 +239,77 @@ impl Cascade<'_> {
         }
     }
 
+    /// Applies what is a property only: as an attribute, it is none, or has another syntax.
+    fn apply_property(&mut self, name: &str, value: &str) {
+        let is_geometry = GEOMETRY.contains(&name);
+        let which = ["translate", "rotate", "scale"].iter().position(|n| *n == name);
+        if !is_geometry && which.is_none() && !matches!(name, "offset" | "offset-path") {
+            return;
+        }
+        let Some(value) = self.replaced(value) else {
+            self.own.unread = true;
+            return;
+        };
+        match which {
+            Some(k) => self.own.moves[k] = Some(value.into_owned()).filter(|v| v != "none"),
+            None if name == "d" => match path_of(&value) {
+                Some(data) => self.own.geometry.push((name.to_owned(), data.to_owned())),
+                None => self.own.unread = true,
+            },
+            None if is_geometry => {
+                // Only 0 needs no unit: browsers ignore other numbers.
+                let is_bare = |l: Length| l.unit == LengthUnit::None && l.number.abs() > 0.0;
+                if !Length::read(&value).is_some_and(is_bare) {
+                    self.own.geometry.push((name.to_owned(), value.into_owned()));
+                }
+            }
+            None => self.own.unread |= value != "none",
+        }
+    }
+
+    fn set_paint(&mut self, which: usize, paint: Paint) {
+        // Programs write a colour that all read before one that few read.
+        if paint == Paint::Unread && self.painted[which] {
+            return;
+        }
+        self.painted[which] = true;
+        *(if which == 0 { &mut self.style.stroke } else { &mut self.style.fill }) = paint;
+    }
+
     /// A paint; `None` if the value is none, so that it is ignored.
     fn paint(&self, value: &str) -> Option<Paint> {
         Some(match value {
-            _ if is(value, "none") => Paint::None,
-            _ if is(value, "currentColor") => Paint::Current,
             "context-fill" | "context-stroke" => Paint::Other,
             _ => match value.strip_prefix("url(") {
                 Some(reference) => {
-                    let id = reference.split(')').next().unwrap_or_default();
-                    let id = id.trim().trim_matches(['"', '\'']).trim_start_matches('#');
-                    let server = self.document.by_id(id).map(|e| self.document.name(e));
-                    if server == Some("pattern") { Paint::Pattern } else { Paint::Other }
+                    let (id, otherwise) = reference.split_once(')').unwrap_or((reference, ""));
+                    let id = id.trim().trim_matches(['"', '\'']);
+                    let server = self.document.by_id(id.trim_start_matches('#'));
+                    match server.map(|e| self.document.name(e)) {
+                        Some("pattern") => Paint::Pattern,
+                        None if id.starts_with('#') => match otherwise.trim() {
+                            "" => Paint::None,
+                            otherwise => color_paint(otherwise)?,
+                        },
+                        _ => Paint::Other,
+                    }
                 }
-                None => match color::read(value)? {
-                    (rgb, true) => Paint::Color(rgb),
-                    (_, false) => Paint::None,
-                },
+                None => color_paint(value)?,
             },
         })
     }
+}
+
+/// A paint that is a colour, or none.
+fn color_paint(value: &str) -> Option<Paint> {
+    Some(match color::read(value) {
+        _ if is(value, "none") => Paint::None,
+        _ if is(value, "currentColor") => Paint::Current,
+        Some((rgb, true)) => Paint::Color(rgb),
+        Some((_, false)) => Paint::None,
+        None if value.contains('(') => Paint::Unread,
+        None => return None,
+    })
 }
 
 /// Whether a value is this keyword. Upper and lower case mean the same.
@@ -179,7 +317,19 @@ fn is(value: &str, keyword: &str) -> bool {
     value.eq_ignore_ascii_case(keyword)
 }
 
-fn is_zero(value: &str) -> bool {
+/// Whether a number or percentage is 0; `None` if it is none.
+fn is_zero(value: &str) -> Option<bool> {
     let mut scanner = Scanner::new(value);
-    scanner.number().is_some_and(|v| v <= 0.0) && matches!(scanner.rest(), b"" | b"%")
+    let number = scanner.number().filter(|_| matches!(scanner.rest(), b"" | b"%"));
+    number.map(|v| v <= 0.0)
+}
+
+/// The path data of `path("...")`; empty for `none`.
+fn path_of(value: &str) -> Option<&str> {
+    if is(value, "none") {
+        return Some("");
+    }
+    let inside = value.strip_prefix("path(")?.strip_suffix(')')?.trim();
+    let quoted = |quote: char| inside.strip_prefix(quote)?.strip_suffix(quote);
+    quoted('"').or_else(|| quoted('\''))
 }

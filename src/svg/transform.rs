@@ -1,11 +1,11 @@
 //! The attribute and the CSS property `transform`.
 
-use super::length::{Axis, Lengths};
+use super::length::{Axis, Length, Lengths};
 use super::numbers::Scanner;
 use crate::geometry::{Affine, DVec2, math};
 
-/// The map of a list of transforms, of which the last is applied first; `None` if it is not one.
-pub(super) fn read(text: &str) -> Option<Affine> {
+/// The map of a list of transforms, of which the last is applied first; `None` if it is not one that is read here.
+pub(super) fn read(text: &str, lengths: &Lengths) -> Option<Affine> {
     let mut scanner = Scanner::new(text);
     let mut map = Affine::IDENTITY;
     loop {
@@ -17,11 +17,14 @@ pub(super) fn read(text: &str) -> Option<Affine> {
         if name == b"none" {
             continue;
         }
+        // A drawing is even: the third part of a move leads away from it.
+        let is_3d = name == b"translate" && scanner.accept(b'3') && scanner.accept(b'd');
         scanner.skip_blanks();
         if !scanner.accept(b'(') {
             return None;
         }
-        let (values, count) = arguments(&mut scanner)?;
+        let (values, count) = arguments(&mut scanner, name, lengths)?;
+        let count = if is_3d { count.checked_sub(1).filter(|n| *n == 2)? } else { count };
         map = one(name, &values, count)?.then(&map);
     }
 }
@@ -51,8 +54,8 @@ pub(super) fn origin(text: &str, lengths: &Lengths) -> Option<DVec2> {
     (!words.is_empty() && words.len() <= 3).then_some(at)
 }
 
-/// Up to six numbers and the bracket after them. Units px and deg are those that SVG has anyway.
-fn arguments(scanner: &mut Scanner<'_>) -> Option<([f64; 6], usize)> {
+/// Up to six numbers and the bracket after them: lengths in user units, and angles in degrees.
+fn arguments(scanner: &mut Scanner<'_>, name: &[u8], lengths: &Lengths) -> Option<([f64; 6], usize)> {
     let mut values = [0.0; 6];
     let mut count = 0;
     loop {
@@ -60,16 +63,26 @@ fn arguments(scanner: &mut Scanner<'_>) -> Option<([f64; 6], usize)> {
         if scanner.accept(b')') {
             return Some((values, count));
         }
-        let value = scanner.number()?;
-        let factor = match scanner.name() {
-            b"" | b"px" | b"deg" => 1.0,
-            b"rad" => 1_f64.to_degrees(),
-            b"turn" => 360.0,
-            _ => return None,
+        let value = if name.starts_with(b"translate") {
+            let axis = if name == b"translateY" || count == 1 { Axis::Height } else { Axis::Width };
+            lengths.resolve(Length::scan(scanner)?, axis)
+        } else {
+            scanner.number()? * unit(scanner)?
         };
-        *values.get_mut(count)? = value * factor;
+        *values.get_mut(count)? = value;
         count += 1;
     }
+}
+
+/// Degrees in the unit of an angle. Numbers without a unit, and pixels, are those that SVG has anyway.
+fn unit(scanner: &mut Scanner<'_>) -> Option<f64> {
+    Some(match scanner.name() {
+        b"" | b"px" | b"deg" => 1.0,
+        b"rad" => 1_f64.to_degrees(),
+        b"grad" => 0.9,
+        b"turn" => 360.0,
+        _ => return None,
+    })
 }
 
 fn one(name: &[u8], v: &[f64; 6], count: usize) -> Option<Affine> {
@@ -90,7 +103,7 @@ fn one(name: &[u8], v: &[f64; 6], count: usize) -> Option<Affine> {
         (b"scale", 2) => Affine::scale(DVec2::new(v[0], v[1])),
         (b"scaleX", 1) => Affine::scale(DVec2::new(v[0], 1.0)),
         (b"scaleY", 1) => Affine::scale(DVec2::new(1.0, v[0])),
-        (b"rotate", 1) => turn(v[0]),
+        (b"rotate" | b"rotateZ", 1) => turn(v[0]),
         (b"rotate", 3) => {
             let center = DVec2::new(v[1], v[2]);
             Affine::translation(-center).then(&turn(v[0])).then(&Affine::translation(center))
@@ -107,8 +120,10 @@ fn one(name: &[u8], v: &[f64; 6], count: usize) -> Option<Affine> {
 mod tests {
     use super::*;
 
+    const LENGTHS: Lengths = Lengths { dpi: 96.0, viewport: DVec2::new(200.0, 100.0) };
+
     fn image(transform: &str, x: f64, y: f64) -> Vec<f64> {
-        let p = read(transform).unwrap().point(DVec2::new(x, y));
+        let p = read(transform, &LENGTHS).unwrap().point(DVec2::new(x, y));
         [p.x, p.y].iter().map(|v| (v * 1e9).round() / 1e9).collect()
     }
 
@@ -122,12 +137,24 @@ mod tests {
         assert_eq!(image("skewX(45)", 0.0, 3.0), [3.0, 3.0]);
         assert_eq!(image("translate(5px) rotate(0.25turn)", 1.0, 0.0), [5.0, 1.0]);
         assert_eq!(image("none", 1.0, 2.0), [1.0, 2.0]);
+        assert_eq!(image("translate(25.4mm, 10%)", 1.0, 2.0), [97.0, 12.0]);
+        assert_eq!(image("translateY(50%) translate3d(1px, 2px, 3px)", 0.0, 0.0), [1.0, 52.0]);
+        assert_eq!(image("rotateZ(100grad)", 1.0, 0.0), [0.0, 1.0]);
     }
 
     #[test]
     fn what_is_no_transform_is_refused() {
-        for text in ["turn(3)", "rotate(1 2)", "scale", "matrix(1 2 3 4 5)", "translate(1", "scale(1e400)"] {
-            assert_eq!(read(text), None, "{text}");
+        for text in [
+            "turn(3)",
+            "rotate(1 2)",
+            "scale",
+            "matrix(1 2 3 4 5)",
+            "translate(1",
+            "scale(1e400)",
+            "rotate(2mm)",
+            "translate(calc(1px))",
+        ] {
+            assert_eq!(read(text, &LENGTHS), None, "{text}");
         }
     }
 }

@@ -2,24 +2,21 @@
 
 use super::aspect::ViewBox;
 use super::length::{Axis, Lengths};
+use super::style::Own;
 use super::xml::Document;
 use crate::geometry::{Affine, DVec2};
 
 /// The map from the user units inside to those outside, and the size of the viewport in the units inside. A `use` may
-/// give a size; `is_placed`: the element has a position of its own.
+/// give a size; `own`: what its style sheets say.
 pub(super) fn inside(
     document: &Document<'_>,
     element: u32,
+    own: &Own,
     given: [Option<f64>; 2],
     lengths: &Lengths,
-    is_placed: bool,
 ) -> (Affine, DVec2) {
-    let length = |name: &str, axis| document.attribute(element, name).and_then(|t| lengths.read(t, axis));
-    let at = if is_placed {
-        DVec2::new(length("x", Axis::Width).unwrap_or(0.0), length("y", Axis::Height).unwrap_or(0.0))
-    } else {
-        DVec2::ZERO
-    };
+    let length = |name: &str, axis| own.geometry(document, element, name).and_then(|t| lengths.read(t, axis));
+    let at = DVec2::new(length("x", Axis::Width).unwrap_or(0.0), length("y", Axis::Height).unwrap_or(0.0));
     let size = DVec2::new(
         given[0].or(length("width", Axis::Width)).unwrap_or(lengths.viewport.x),
         given[1].or(length("height", Axis::Height)).unwrap_or(lengths.viewport.y),

@@ -88,6 +88,7 @@ mod stop_bound;
 mod svg_files;
 mod svg_losses;
 mod svg_oracle;
+mod svg_styles;
 mod tips;
 mod units_evidence;
 mod walk_certificate;

@@ -55,20 +55,3 @@ fn a_switch_without_a_chosen_child_is_a_finding() {
     let chosen = page(&format!("<switch><g systemLanguage=\"de\">{SQUARE}</g>{SQUARE}</switch>"));
     assert_eq!((chosen.shapes.len(), chosen.findings.len()), (1, 0));
 }
-
-/// The origin of `transform-box: fill-box` is a corner of the shape, also where `transform-origin` is not written.
-#[test]
-fn a_turn_in_the_box_of_a_shape_is_a_finding_without_an_origin_too() {
-    let turned = |style: &str| {
-        page(&format!("<rect width=\"20\" height=\"10\" fill=\"none\" stroke=\"red\" style=\"{style}\"/>"))
-    };
-    for more in ["", ";transform-origin:center"] {
-        let drawing = turned(&format!("transform-box:fill-box;transform:rotate(90deg){more}"));
-        let finding = found(&drawing, Code::InvalidGeometry);
-        assert!(finding.message.contains("transform-origin"), "{finding:?}");
-    }
-    // A move is the same about every point.
-    for style in ["transform-box:fill-box;transform:translate(5px,0)", "transform-box:fill-box"] {
-        assert!(turned(style).findings.is_empty(), "{style}");
-    }
-}

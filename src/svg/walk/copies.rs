@@ -2,16 +2,17 @@
 
 use super::super::length::Axis;
 use super::super::report::Subject;
+use super::super::style::Own;
 use super::super::xml::Space;
 use super::{Copy, Frame, Place, Walker};
 use crate::geometry::{Affine, DVec2};
 
 impl Walker<'_, '_> {
     /// Visits the element that a `use` copies.
-    pub(super) fn copy(&mut self, element: u32, mut place: Place) {
+    pub(super) fn copy(&mut self, element: u32, own: &Own, mut place: Place) {
         let lengths = self.lengths(&place);
         let length =
-            |name: &str, axis| self.document.attribute(element, name).and_then(|t| lengths.read(t, axis));
+            |name: &str, axis| own.geometry(self.document, element, name).and_then(|t| lengths.read(t, axis));
         let offset =
             DVec2::new(length("x", Axis::Width).unwrap_or(0.0), length("y", Axis::Height).unwrap_or(0.0));
         let size = [length("width", Axis::Width), length("height", Axis::Height)];

@@ -7,17 +7,19 @@
 mod copies;
 mod roles;
 mod shapes;
+mod transforms;
 
-use super::css::{StyleSheet, without_comments};
+use super::css::StyleSheet;
+use super::declarations::{declarations, without_comments};
 use super::layers::Key;
-use super::length::Lengths;
+use super::length::{Length, Lengths};
 use super::report::{Hidden, Report, Subject};
 use super::scale::Scale;
+use super::shape;
 use super::steps::Steps;
 use super::style::{self, Own, Style};
 use super::viewport;
 use super::xml::Document;
-use super::{shape, transform};
 use crate::drawing::{EntityKindCount, ReadError, ReadOptions, Shape};
 use crate::geometry::{Affine, DVec2};
 use std::collections::BTreeMap;
@@ -43,7 +45,10 @@ pub(super) fn walk(
     options: &ReadOptions,
 ) -> Result<Walked, ReadError> {
     let css = without_comments(&document.style);
-    let sheet = StyleSheet::read(&css);
+    let mut sheet = StyleSheet::read(&css);
+    for text in document.texts_of("style").filter(|text| text.contains("--")) {
+        sheet.custom.add(declarations(text));
+    }
     let mut walker = Walker {
         document,
         sheet: &sheet,
@@ -65,6 +70,7 @@ pub(super) fn walk(
         },
     };
     walker.walked.report.count_all(Subject::Rules, sheet.not_understood);
+    walker.walked.report.count_all(Subject::Sheets, document.sheets_left);
     walker.walked.report.count_all(Subject::Entities, document.entities_left);
     let place = Place {
         map: scale.map,
@@ -142,8 +148,12 @@ impl<'w, 'a> Walker<'w, 'a> {
     }
 
     fn root(&mut self, place: &Place) {
-        let (place, _) = self.enter(0, place);
-        self.open_children(0, place);
+        let (inside, own) = self.enter(0, place);
+        if own.transform.is_some() || own.moves.iter().any(Option::is_some) {
+            self.walked.report.count(Subject::Page, None, None, None);
+        }
+        self.notes(0, &own, &inside);
+        self.open_children(0, inside);
     }
 
     fn open_children(&mut self, element: u32, place: Place) {
@@ -157,32 +167,37 @@ impl<'w, 'a> Walker<'w, 'a> {
         self.steps.take(self.document.attributes(element).iter().map(|a| a.value.len()).sum());
         let (style, own) =
             style::resolve(self.document, self.sheet, element, &place.style, &lengths, &mut self.steps);
-        let mut map = place.map;
-        if let Some(text) = &own.transform {
-            match transform::read(text) {
-                Some(transform) => {
-                    let at = match &own.origin {
-                        _ if own.own_box => None,
-                        Some(origin) => transform::origin(origin, &lengths),
-                        None => Some(DVec2::ZERO),
-                    };
-                    // A move is the same about every point.
-                    if at.is_none() && (transform.x, transform.y) != (DVec2::X, DVec2::Y) {
-                        let at = place.map.point(DVec2::ZERO);
-                        self.walked.report.count(Subject::Origin, None, self.id(element), Some(at));
-                    }
-                    let at = at.unwrap_or_default();
-                    let about = Affine::translation(-at).then(&transform).then(&Affine::translation(at));
-                    map = about.then(&place.map);
-                }
-                None => {
-                    let at = place.map.point(DVec2::ZERO);
-                    self.walked.report.count(Subject::Transform, None, self.id(element), Some(at));
-                }
-            }
-        }
+        let map = self.transforms(element, &own, place).then(&place.map);
         let hidden = place.hidden.or((own.undisplayed || own.transparent).then_some(Hidden::Gone));
         (Place { map, style, hidden, ..*place }, own)
+    }
+
+    /// Counts what an element asks for that is not done.
+    fn notes(&mut self, element: u32, own: &Own, inside: &Place) {
+        if inside.hidden.is_some() {
+            return;
+        }
+        for (is_so, subject) in [
+            (own.clipped, Subject::Clipped),
+            (own.masked, Subject::Masked),
+            (own.marked, Subject::Marked),
+            (own.unread, Subject::Style),
+            (self.is_misplaced(element, own), Subject::Length),
+        ] {
+            if is_so {
+                self.walked.report.count(subject, None, self.id(element), None);
+            }
+        }
+    }
+
+    /// Whether a place or size of a copy or a page cannot be read. Those of shapes are found when they are drawn.
+    fn is_misplaced(&self, element: u32, own: &Own) -> bool {
+        let is_unread = |name: &str| {
+            let text = own.geometry(self.document, element, name);
+            text.is_some_and(|t| !shape::is_missing(t) && Length::read(t).is_none())
+        };
+        matches!(self.document.name(element), "use" | "svg" | "symbol")
+            && ["x", "y", "width", "height"].into_iter().any(is_unread)
     }
 
     fn element(&mut self, element: u32, place: &Place, instance: Option<[Option<f64>; 2]>) {
@@ -191,18 +206,7 @@ impl<'w, 'a> Walker<'w, 'a> {
             return;
         }
         let (mut inside, own) = self.enter(element, place);
-        if inside.hidden.is_none() {
-            let id = self.id(element);
-            for (is_so, subject) in [
-                (own.clipped, Subject::Clipped),
-                (own.masked, Subject::Masked),
-                (own.marked, Subject::Marked),
-            ] {
-                if is_so {
-                    self.walked.report.count(subject, None, id, None);
-                }
-            }
-        }
+        self.notes(element, &own, &inside);
         match name {
             "g" | "a" => {
                 if let Some(label) = roles::layer_label(self.document, element, self.by_illustrator) {
@@ -213,13 +217,8 @@ impl<'w, 'a> Walker<'w, 'a> {
             }
             "svg" | "symbol" => {
                 let lengths = self.lengths(place);
-                let (map, viewport) = viewport::inside(
-                    self.document,
-                    element,
-                    instance.unwrap_or_default(),
-                    &lengths,
-                    name == "svg",
-                );
+                let (map, viewport) =
+                    viewport::inside(self.document, element, &own, instance.unwrap_or_default(), &lengths);
                 inside.map = map.then(&inside.map);
                 inside.viewport = viewport;
                 self.open_children(element, inside);
@@ -237,12 +236,12 @@ impl<'w, 'a> Walker<'w, 'a> {
             }
             "use" => {
                 self.count_kind(name, true, place);
-                self.copy(element, inside);
+                self.copy(element, &own, inside);
             }
             _ => match shape::kind(name) {
                 Some(kind) => {
                     self.count_kind(name, true, place);
-                    self.shape(element, kind, &inside);
+                    self.shape(element, kind, &own, &inside);
                 }
                 None => {
                     self.count_kind(name, false, place);

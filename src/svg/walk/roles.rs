@@ -12,7 +12,32 @@ pub(super) fn layer_label(document: &Document<'_>, element: u32, by_illustrator:
     // Illustrator writes its layers as groups of the page, with their names as ids.
     let is_top = document.get(element).is_some_and(|e| e.parent == Some(0));
     let name = document.attribute(element, "data-name").or(id());
-    name.filter(|_| is_top && by_illustrator).map(|n| n.replace("_x20_", " "))
+    name.filter(|_| is_top && by_illustrator).map(decoded)
+}
+
+/// A name as it was before Illustrator made it an id: `Cut_x20_1` is `Cut 1`, and `_x5F_` is an underscore.
+fn decoded(id: &str) -> String {
+    let mut name = String::with_capacity(id.len());
+    let mut rest = id;
+    while let Some((before, after)) = rest.split_once("_x") {
+        let code = after.split_once('_').filter(|(digits, _)| (2..=4).contains(&digits.len()));
+        let sign = code.and_then(|(digits, after)| {
+            let code = u32::from_str_radix(digits, 16).ok()?;
+            Some((char::from_u32(code)?, after))
+        });
+        name.push_str(before);
+        rest = match sign {
+            Some((sign, after)) => {
+                name.push(sign);
+                after
+            }
+            None => {
+                name.push_str("_x");
+                after
+            }
+        };
+    }
+    name + rest
 }
 
 /// Whether a `switch` shows this child: what needs an extension or another language is skipped.

@@ -4,19 +4,20 @@ use super::super::layers::{Key, Line};
 use super::super::length::Axis;
 use super::super::outline::{Chain, Piece};
 use super::super::report::{Hidden, Subject};
-use super::super::style::Paint;
+use super::super::style::{Own, Paint};
 use super::super::{shape, trace};
 use super::{Place, Walker};
 use crate::drawing::Shape;
 use crate::geometry::DVec2;
 
 /// Width of a stroke in mm above which a finding says that its middle is cut. Lines for people to see are thinner.
-const WIDE: f64 = 1.0;
+/// The millimetre itself is not, nor is one that a turn with rounded numbers has made longer.
+const WIDE: f64 = 1.0001;
 
 impl Walker<'_, '_> {
     /// Adds what is cut of a shape, and reports what its style asks for beyond that.
-    pub(super) fn shape(&mut self, element: u32, kind: &'static str, place: &Place) {
-        let mut outline = shape::outline(self.document, element, kind, &self.lengths(place));
+    pub(super) fn shape(&mut self, element: u32, kind: &'static str, own: &Own, place: &Place) {
+        let mut outline = shape::outline(self.document, element, kind, own, &self.lengths(place));
         let style = &place.style;
         let (stroke, fill) = (style.visible_stroke(), style.visible_fill());
         let line = if stroke == Paint::None { Line::Filled(fill) } else { Line::Stroke(stroke) };
@@ -62,7 +63,9 @@ impl Walker<'_, '_> {
         for (is_so, subject) in [
             (matches!(line, Line::Filled(_)), Subject::Filled(kind)),
             (fill == Paint::Pattern, Subject::Patterned),
+            (line == Line::Stroke(Paint::Unread) || line == Line::Filled(Paint::Unread), Subject::Colour),
             (stroke != Paint::None && width > WIDE, Subject::Wide),
+            (stroke != Paint::None && style.width <= 0.0, Subject::Thin),
             (stroke != Paint::None && style.dashed, Subject::Dashed),
         ] {
             if is_so {

@@ -13,7 +13,7 @@ const DEEPEST: usize = 256;
 /// Most namespace declarations in force at one place. Inkscape writes about ten.
 const MOST_NAMESPACES: usize = 256;
 
-/// Most characters that are kept of comments before the root element.
+/// Most characters that are kept of comments before the first element in the root.
 const LONGEST_PREAMBLE: usize = 4096;
 
 pub(super) struct Builder<'a> {
@@ -65,9 +65,9 @@ impl<'a> Builder<'a> {
                     self.end();
                 }
                 Event::End(_) => self.end(),
-                // Programs write one line; a longer comment is not their name.
+                // Programs write one line; a longer comment is not their name. Illustrator writes it into the root since 2024.
                 Event::Comment(comment)
-                    if self.document.elements.is_empty()
+                    if self.document.elements.len() <= 1
                         && self.document.preamble.len() + comment.len() < LONGEST_PREAMBLE =>
                 {
                     self.document.preamble.push_str(&comment);
@@ -77,6 +77,9 @@ impl<'a> Builder<'a> {
                 }
                 Event::Text(text) if self.in_style() => self.document.style.push_str(&text),
                 Event::CData(text) if self.in_style() => self.document.style.push_str(&text),
+                Event::PI(instruction) if instruction.starts_with("xml-stylesheet") => {
+                    self.document.sheets_left += 1;
+                }
                 Event::GeneralRef(name) => self.reference(&name),
                 _ => {}
             }
@@ -116,6 +119,7 @@ impl<'a> Builder<'a> {
             last_attribute: index(self.document.attributes.len()),
         });
         self.open.push(this);
+        self.document.sheets_left += u32::from(local == "style" && is_svg && !self.is_applied(this));
         Ok(())
     }
 
@@ -183,7 +187,15 @@ impl<'a> Builder<'a> {
     }
 
     fn in_style(&self) -> bool {
-        self.open.last().is_some_and(|&e| self.document.name(e) == "style")
+        self.open.last().is_some_and(|&e| self.document.name(e) == "style" && self.is_applied(e))
+    }
+
+    /// Whether a style sheet is one of CSS, and for screens.
+    fn is_applied(&self, sheet: u32) -> bool {
+        let is_one_of = |name: &str, known: [&str; 3]| {
+            self.document.attribute(sheet, name).is_none_or(|v| known.contains(&v.trim()))
+        };
+        is_one_of("type", ["", "text/css", "text/CSS"]) && is_one_of("media", ["", "all", "screen"])
     }
 
     /// A reference to an entity in the text of an element.

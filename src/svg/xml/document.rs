@@ -61,8 +61,10 @@ pub(in crate::svg) struct Document<'a> {
     pub(in crate::svg) ids: FxHashMap<String, u32>,
     /// The text of all `style` elements.
     pub(in crate::svg) style: String,
-    /// The comments before the root element, where Illustrator and other programs write their names.
+    /// The comments before the first element in the root, where Illustrator and other programs write their names.
     pub(in crate::svg) preamble: String,
+    /// Number of style sheets that are not part of the file, or not for screens.
+    pub(in crate::svg) sheets_left: u32,
     /// Number of entities in the text of elements that are not expanded.
     pub(in crate::svg) entities_left: u32,
 }
@@ -82,6 +84,14 @@ impl<'a> Document<'a> {
     pub(in crate::svg) fn attributes(&self, element: u32) -> &[Attribute<'a>] {
         let range = self.get(element).map(|e| e.first_attribute as usize..e.last_attribute as usize);
         range.and_then(|r| self.attributes.get(r)).unwrap_or_default()
+    }
+
+    /// The texts of an attribute of SVG on all elements.
+    pub(in crate::svg) fn texts_of(&self, name: &str) -> impl Iterator<Item = &str> {
+        self.attributes
+            .iter()
+            .filter(move |a| a.space == Space::None && a.name == name)
+            .map(|a| a.value.as_ref())
     }
 
     /// The element with this id; the first one if several have it, as in browsers.
