@@ -46,7 +46,7 @@ it('a program that fails has one JSON document on standard output', async (t) =>
   assert.equal(code, 1);
   const documents = stdout.trim().split('\n').map((line) => JSON.parse(line));
   assert.deepEqual(documents.map((d) => [d.name, d.passed, d.problems?.map((p) => p.code)]), [['changed.nc', false, ['changed']]]);
-  assert.match(stderr, /changed\.nc fails: The program is not as Kerfway wrote it: lines were changed, added or removed since\. Write it again; if that was on purpose, delete the line with the checksum, and check the program once more\.\n/);
+  assert.match(stderr, /changed\.nc fails: The program is not as Kerfway wrote it: lines were changed, added or removed since\. Write it again; if that was on purpose, delete the first line and the line with the checksum, and check the program once more\.\n/);
 });
 
 it('a program off the bed fails', async (t) => {

@@ -20,18 +20,21 @@ pub(super) struct Layers {
 impl Layers {
     /// The layers of a sheet. Names that would coincide get a number, because DXF ignores case.
     pub(super) fn of(sheet: &SheetFacts) -> Self {
-        let mut taken: FxHashMap<Vec<u8>, u32> = FxHashMap::default();
+        // The number that the next layer of each name gets.
+        let mut next: FxHashMap<String, u32> = FxHashMap::default();
         let list = sheet
             .layers
             .iter()
             .map(|layer| {
                 let name = written(&layer.name);
                 let small = written(&layer.name.chars().map(lower).collect::<String>());
-                let (mut unique, mut key, mut n) = (name.clone(), small.clone(), 2);
-                while taken.insert(key.into_bytes(), n).is_some() {
-                    (unique, key) = (format!("{name}_{n}"), format!("{small}_{n}"));
-                    n += 1;
+                let (mut unique, mut key) = (name.clone(), small.clone());
+                while next.contains_key(&key) {
+                    let n = next.entry(small.clone()).or_insert(2);
+                    (unique, key) = (numbered(&name, *n), numbered(&small, *n));
+                    *n += 1;
                 }
+                next.insert(key, 2);
                 let color = if (1..=255).contains(&layer.color) { layer.color } else { DEFAULT_COLOR };
                 (unique, color)
             })
@@ -55,6 +58,15 @@ impl Layers {
             std::iter::once(zero).chain(named).collect()
         }
     }
+}
+
+/// A name with a number, shortened so that both fit.
+fn numbered(name: &str, n: u32) -> String {
+    let number = format!("_{n}");
+    let kept = name.get(..name.len().min(LONGEST - number.len())).unwrap_or(name);
+    // Not in the middle of an escaped character, `\U+00DF`.
+    let kept = kept.rsplit_once("\\U+").filter(|(_, code)| code.len() < 4).map_or(kept, |(before, _)| before);
+    format!("{kept}{number}")
 }
 
 /// A name in its form for the file: forbidden and control characters are replaced, characters outside ASCII are
@@ -82,7 +94,9 @@ fn written(name: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::written;
+    use super::super::super::sheet_facts::LayerFacts;
+    use super::*;
+    use crate::machine::Settings;
 
     #[test]
     fn names_are_ascii_without_forbidden_characters() {
@@ -93,5 +107,24 @@ mod tests {
         assert_eq!(written(""), "0");
         assert!(written(&"\u{df}".repeat(300)).len() <= 255);
         assert!(written(&"\u{df}".repeat(300)).ends_with("\\U+00DF"));
+    }
+
+    /// Each name tried all numbers from 2 on, which took a minute for 8,000 layers, and became longer than AutoCAD accepts.
+    #[test]
+    fn names_that_coincide_get_the_next_number() {
+        let long = "x".repeat(300);
+        let layer = |name: &str| LayerFacts { name: name.to_owned(), color: 1, settings: Settings::NONE };
+        let names = ["a", "A", "a_2", "a", &long, &long];
+        let layers = Layers::of(&SheetFacts { layers: names.map(layer).to_vec(), ..SheetFacts::default() });
+        let written: Vec<&str> = layers.list.iter().map(|(name, _)| name.as_str()).collect();
+        let (whole, shortened) = ("x".repeat(255), format!("{}_2", "x".repeat(253)));
+        assert_eq!(written, ["a", "A_2", "a_2_2", "a_3", &whole, &shortened]);
+        let many = vec![layer(&long); 8_000];
+        let layers = Layers::of(&SheetFacts { layers: many, ..SheetFacts::default() });
+        let escaped = vec![layer(&"\u{df}".repeat(300)); 100];
+        let list = Layers::of(&SheetFacts { layers: escaped, ..SheetFacts::default() }).list;
+        assert_eq!(list[99].0, format!("{}_100", "\\U+00DF".repeat(35)));
+        let last = layers.list.last().map(|(name, _)| name.as_str()).unwrap_or_default();
+        assert!(last.len() == 255 && last.ends_with("x_8000"), "{last}");
     }
 }

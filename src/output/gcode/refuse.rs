@@ -68,7 +68,8 @@ pub(super) fn refuse(
     }
     let full = dialect.power.full_or(profile.max_s);
     let least = 0.5 / power_of_ten(dialect.power.decimals);
-    if processes.iter().any(|p| p.power * full < least) {
+    // Half of the least step is written as 0, too.
+    if processes.iter().any(|p| p.power * full <= least) {
         return refuse(
             "cannot cut or mark with a power of 0: raise the power of the machine's process, or of the layer.",
         );

@@ -35,6 +35,8 @@ pub(super) fn check(
                 };
                 let slack = SAME + known.path.segments.iter().map(rounding).sum::<f64>();
                 let round = ((*cut + slack) / known.path.length().max(slack)).floor();
+                // After the last pass, an overcut begins a round that is not finished.
+                let round = round.min(f64::from(sheet.passes_at_once(known, machine)) - 1.0);
                 *cut += path.iter().map(Segment::length).sum::<f64>();
                 let z_step = sheet.process_of(known, machine).z_step;
                 if z_step > 0.0 { -(f64::from(known.pass) + round) * z_step } else { 0.0 }

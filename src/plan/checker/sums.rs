@@ -2,14 +2,16 @@
 
 use super::groups::Groups;
 use super::joints;
+use super::leads::overcut;
 use super::textbook::{air_time, is_lifted, trapezoid};
 use super::tolerance::{SAME, rounding};
 use super::violation::Violation;
 use crate::geometry::{Aabb, DVec2, Path, Segment};
 use crate::machine::{Profile, cut_time};
 use crate::order::sort_by;
-use crate::plan::model::{Leads, Move, Plan, Summary, Turn, Way};
+use crate::plan::model::{Leads, Move, Plan, Summary, Way};
 use crate::sheet::Sheet;
+use rustc_hash::FxHashSet;
 
 /// Relative difference within which sums agree: thousands of additions in another order.
 const RELATIVE: f64 = 1e-9;
@@ -32,6 +34,14 @@ pub(super) fn check(
         if !agrees {
             found.push(Violation::Sum { what, says, found: adds_up });
         }
+    }
+}
+
+/// The contour of a cut that leaves its path in a corner.
+fn turned(m: &Move) -> Option<u32> {
+    match m {
+        Move::Cut { contour, turns, .. } if !turns.is_empty() => Some(*contour),
+        _ => None,
     }
 }
 
@@ -81,6 +91,8 @@ struct Sums<'c> {
     moves: &'c [Move],
     /// The path of each contour.
     paths: Vec<&'c Path>,
+    /// Contours that leave their paths in a corner, in any of their cuts.
+    turned: FxHashSet<u32>,
     head: DVec2,
     height: f64,
     /// The elements of a motion that goes on over a joint or to the next cut.
@@ -102,6 +114,7 @@ impl<'c> Sums<'c> {
             machine,
             moves,
             paths: groups.paths(),
+            turned: moves.iter().filter_map(turned).collect(),
             head: machine.home(),
             height: 0.0,
             motion: Vec::new(),
@@ -146,10 +159,10 @@ impl<'c> Sums<'c> {
                 self.seconds.joint += seconds;
                 self.counts.stops += 1;
             }
-            Move::Cut { contour, with, path, leads, turns, .. } => {
+            Move::Cut { contour, with, path, leads, .. } => {
                 self.worked.push(*contour);
                 self.worked.extend(with);
-                self.bound((*contour, with), path, turns);
+                self.bound(*contour, with, path);
                 self.leads(path, leads);
                 self.cut(step, *contour, path);
             }
@@ -186,9 +199,12 @@ impl<'c> Sums<'c> {
     }
 
     /// Adds what a cut of contours bounds.
-    fn bound(&mut self, (contour, with): (u32, &[u32]), path: &[Segment], turns: &[Turn]) {
-        if joints::asked(self.sheet, self.machine, contour).is_some() || !turns.is_empty() {
-            // A joint may be where the contour reaches farthest, and a loop reaches beyond it.
+    fn bound(&mut self, contour: u32, with: &[u32], path: &[Segment]) {
+        let known = self.sheet.contours.get(contour as usize);
+        let has_gap = known.is_some_and(|c| overcut(self.sheet, self.machine, contour, c) < 0.0);
+        let has_joints = joints::asked(self.sheet, self.machine, contour).is_some();
+        if has_gap || has_joints || self.turned.contains(&contour) {
+            // A gap, a joint or a rounded corner may be where the contour reaches farthest, and a loop reaches beyond it.
             self.bounds = path.iter().fold(self.bounds, |b, s| b.union(s.bounds()));
             return;
         }

@@ -30,7 +30,7 @@ use expected::Expected;
 use problem::Problems;
 
 const CHANGED: &str = "The program is not as Kerfway wrote it: lines were changed, added or removed since. Write it again; if that was \
-    on purpose, delete the line with the checksum, and check the program once more.";
+    on purpose, delete the first line and the line with the checksum, and check the program once more.";
 
 /// Checks a program against the machine that is to run it, and against its own header if Kerfway wrote it.
 ///

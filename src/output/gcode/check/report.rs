@@ -63,8 +63,11 @@ pub(super) struct Figures {
     pub(super) dark_length: f64,
     air_length: f64,
     pub(super) seconds: f64,
-    /// Speed of the fastest motion that is no mark, mm/s.
+    /// Speed of the fastest motion that is no mark, and of the fastest that is one, mm/s.
     pub(super) top_speed: f64,
+    pub(super) top_mark: f64,
+    /// How often the beam stays on from one contour, or one pass, to the next without a rest.
+    pub(super) runs_on: u32,
     pub(super) bounds: Aabb,
     pub(super) fits_bed: Option<bool>,
     dark_rapids: bool,
@@ -79,11 +82,14 @@ const BED_SLACK: f64 = 0.01;
 pub(super) fn figures(program: &Program, cuts: &[Cut], profile: &Profile) -> Figures {
     let mut reach = Aabb::EMPTY;
     let (mut air_length, mut dark_length, mut pierces, mut dark_rapids) = (0.0, 0.0, 0, true);
-    let (mut first, mut marks, mut top_speed) = (true, false, 0.0_f64);
+    let (mut first, mut marks, mut top_speed, mut top_mark) = (true, false, 0.0_f64, 0.0_f64);
+    let (mut is_lit, mut runs_on) = (false, 0);
     for event in &program.events {
         match event {
             Event::Move { rapid, path, power, feed, .. } => {
-                top_speed = top_speed.max(if *rapid || marks { 0.0 } else { *feed });
+                let fastest = if marks { &mut top_mark } else { &mut top_speed };
+                *fastest = fastest.max(if *rapid { 0.0 } else { *feed });
+                is_lit = power.lit > 0.0;
                 // Where the head comes from is not known.
                 reach = if first { reach.with(path.end()) } else { reach.union(path.bounds()) };
                 air_length += if *rapid && !first { path.length() } else { 0.0 };
@@ -91,9 +97,19 @@ pub(super) fn figures(program: &Program, cuts: &[Cut], profile: &Profile) -> Fig
                 dark_rapids &= !(*rapid && power.lit > 0.0);
                 first = false;
             }
-            Event::Height { power, .. } => dark_rapids &= power.lit <= 0.0,
-            Event::Dwell { seconds, power, .. } => pierces += u32::from(*seconds > 0.0 && power.lit > 0.0),
-            Event::Contour { mark } => marks = *mark,
+            Event::Height { power, .. } => {
+                dark_rapids &= power.lit <= 0.0;
+                is_lit = false;
+            }
+            Event::Dwell { seconds, power, .. } => {
+                pierces += u32::from(*seconds > 0.0 && power.lit > 0.0);
+                is_lit &= *seconds <= 0.0;
+            }
+            Event::Contour { mark } => {
+                marks = *mark;
+                runs_on += u32::from(is_lit);
+                is_lit = false;
+            }
         }
     }
     Figures {
@@ -109,8 +125,10 @@ pub(super) fn figures(program: &Program, cuts: &[Cut], profile: &Profile) -> Fig
         air_length,
         seconds: seconds(program, profile),
         top_speed,
+        top_mark,
+        runs_on,
         bounds: cuts.iter().flat_map(|c| &c.path).fold(Aabb::EMPTY, |b, s| b.union(s.bounds())),
-        fits_bed: fits(&reach, profile),
+        fits_bed: fits(&reach, profile, program.begins_relative),
         dark_rapids,
         dark_at_end: program.dark_at_end,
         lifts: program.lifts,
@@ -118,8 +136,13 @@ pub(super) fn figures(program: &Program, cuts: &[Cut], profile: &Profile) -> Fig
     }
 }
 
-fn fits(reach: &Aabb, profile: &Profile) -> Option<bool> {
-    profile.bed().map(|bed| reach.is_empty() || bed.grown(BED_SLACK).contains_box(reach))
+/// Whether the head stays on the bed. Where a relative program begins is not known: only its size is compared then.
+fn fits(reach: &Aabb, profile: &Profile, relative: bool) -> Option<bool> {
+    profile.bed().map(|bed| {
+        let bed = bed.grown(BED_SLACK);
+        let fits = if relative { reach.size().cmple(bed.size()).all() } else { bed.contains_box(reach) };
+        reach.is_empty() || fits
+    })
 }
 
 /// Seconds of the program on the machine. Each run of the same speed is a run of the planner.

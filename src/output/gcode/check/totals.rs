@@ -147,9 +147,13 @@ impl Both<'_> {
         // does not say how many there are: at most one before each stretch.
         let most = self.profile.pre_cut_time.unwrap_or(0.0) * f64::from(self.figures.stretches);
         let charged = self.e.pre_cut_seconds.unwrap_or(most);
-        // A plan charges a cut through waste from rest to rest, and the program may run on at both of its ends.
-        let stop = self.profile.cut.accel.map_or(0.0, |accel| self.figures.top_speed / accel);
-        let runs_on = if is < should { 2.0 * f64::from(self.e.chains) * stop } else { 0.0 };
+        // A plan charges cuts through waste, and passes, from rest to rest, and the program may run on at both of their ends:
+        // between passes where nothing waits for the beam.
+        let [cut, mark] =
+            [(self.profile.cut, self.figures.top_speed), (self.profile.mark, self.figures.top_mark)]
+                .map(|(process, speed)| process.accel.map_or(0.0, |accel| speed / accel));
+        let ends = f64::from(self.e.chains.max(self.figures.runs_on));
+        let runs_on = if is < should { 2.0 * ends * cut.max(mark) } else { 0.0 };
         let slack = self.e.precision + least + share * should + charged + runs_on;
         let differs = (is - should).abs() > slack;
         differs.then(|| Difference {
