@@ -51,19 +51,29 @@ pub fn method(name: &str) -> Option<&'static dyn Solver> {
 /// # Errors
 /// There is no such method, or a parameter is wrong.
 pub fn named(name: &str, parameters: &str) -> Result<Box<dyn Solver>, FieldError> {
-    match method(name) {
-        Some(ours) => Ok(Box::new(ours)),
-        None => published(name, parameters),
+    if let Some(ours) = method(name) {
+        return Ok(Box::new(ours));
     }
+    published(name, parameters).unwrap_or_else(|| {
+        let names: Vec<_> = methods().iter().map(|m| m.info().name).chain(names_of_published()).collect();
+        Err(FieldError::no_such("method", name, &names))
+    })
 }
 
 #[cfg(feature = "research")]
-fn published(name: &str, parameters: &str) -> Result<Box<dyn Solver>, FieldError> {
-    papers::method(name, parameters)
+fn published(name: &str, parameters: &str) -> Option<Result<Box<dyn Solver>, FieldError>> {
+    papers::names().any(|known| known == name).then(|| papers::method(name, parameters))
+}
+
+#[cfg(feature = "research")]
+use papers::names as names_of_published;
+
+#[cfg(not(feature = "research"))]
+fn published(_name: &str, _parameters: &str) -> Option<Result<Box<dyn Solver>, FieldError>> {
+    None
 }
 
 #[cfg(not(feature = "research"))]
-fn published(name: &str, _parameters: &str) -> Result<Box<dyn Solver>, FieldError> {
-    let names: Vec<&str> = methods().iter().map(|m| m.info().name).collect();
-    Err(FieldError::no_such("method", name, &names))
+fn names_of_published() -> [&'static str; 0] {
+    []
 }

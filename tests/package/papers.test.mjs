@@ -60,7 +60,7 @@ describe('methods from papers', () => {
     assert.equal(JSON.parse(await planner.output('json')).parameters, '{"population":12}');
     const refused = (options) => planner.plan({ moves: 10, seed: 1, ...options }).done.then(() => 'planned', (e) => e.message);
     assert.match(await refused({ method: 'rlsga', parameters: { populace: 12 } }), /^The method has no parameter "populace"/);
-    assert.match(await refused({ method: 'nobody' }), /^There is no method named "nobody"/);
+    assert.match(await refused({ method: 'nobody' }), /^There is no method named "nobody"\. Choose one of: tour-tree, greedy, lpspso, /);
     assert.match(await refused({ method: 'rlsga', workers: 2 }), /use one worker/);
     assert.match(await refused({ parameters: { population: 12 } }), /^Only methods from papers have parameters/);
   });

@@ -96,6 +96,11 @@ pub fn cards() -> Vec<Card> {
     METHODS.iter().map(|(card, _)| card()).collect()
 }
 
+/// The names of all methods.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    METHODS.iter().map(|(card, _)| card().info.name)
+}
+
 /// The published method of that name. `parameters` is a JSON object with the values that differ from the defaults, or
 /// empty.
 ///
@@ -103,7 +108,7 @@ pub fn cards() -> Vec<Card> {
 /// There is no such method, or it has no such parameter or value.
 pub fn method(name: &str, parameters: &str) -> Result<Box<dyn Solver>, FieldError> {
     let Some((_, make)) = METHODS.iter().find(|(card, _)| card().info.name == name) else {
-        let names: Vec<_> = cards().into_iter().map(|c| c.info.name).collect();
+        let names: Vec<_> = names().collect();
         return Err(FieldError::no_such("method", name, &names));
     };
     let parameters = if parameters.trim().is_empty() { "{}" } else { parameters };
