@@ -124,10 +124,11 @@ describe('kerfway methods', () => {
 const COMMANDS = ['plan', 'inspect', 'quote', 'check', 'serve', 'work', 'methods', 'solve', 'completion'];
 
 describe('kerfway', () => {
-  it('prints its version with the hash of its wasm file, and its options', async () => {
+  it('prints its version with the hashes of the wasm files that plan, and its options', async () => {
     const { version } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8'));
-    const wasm = createHash('sha256').update(readFileSync(join(ROOT, 'dist', 'sdk', 'pkg', 'kerfway_bg.wasm'))).digest('hex');
-    assert.equal((await kerfway('--version')).stdout, `${version}\nkerfway_bg.wasm sha256 ${wasm}\n`);
+    const hashOf = (name) => createHash('sha256').update(readFileSync(join(ROOT, 'dist', 'sdk', 'pkg', name))).digest('hex');
+    const hashes = ['kerfway_bg.wasm', 'kerfway_research_bg.wasm'].map((name) => `${name} sha256 ${hashOf(name)}`);
+    assert.equal((await kerfway('--version')).stdout, [version, ...hashes, ''].join('\n'));
     const { code, stdout } = await kerfway('--help');
     assert.equal(code, 0);
     for (const command of COMMANDS) assert.match(stdout, new RegExp(`^kerfway ${command}`, 'm'));

@@ -21,8 +21,8 @@ export interface Command {
 }
 
 const MANY =
-  'A drawing is a DXF or an SVG; - is standard input. Several drawings may be named, also by patterns (*, ?, [ab], **; in quotes if the shell does not expand them). OUT is then ' +
-  'a folder, ending in /, with one file for each drawing, or - for JSON with one document per line. An unusable drawing is ' +
+  'A drawing is a DXF, an SVG, or a project of the page (.kerfway), whose plan is kept unless the options ask for another; - is standard input. Several drawings may be named, also by patterns (*, ?, [ab], **; in quotes if the shell does not expand them). OUT is then ' +
+  'a folder, ending in /, with one file for each drawing, named as it is without its folders, or - for JSON with one document per line. An unusable drawing is ' +
   'reported in a sentence; the others are processed anyway.';
 
 const SIGNALS = 'Ctrl+C ends a search and keeps its result. SIGTERM does so, too, and leaves out the drawings after it.';

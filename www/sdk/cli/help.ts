@@ -65,8 +65,11 @@ export async function packageVersion(): Promise<string> {
   return (JSON.parse(file) as { version: string }).version;
 }
 
-/** The version of this package, and the hash of its wasm file: the same hash makes the same plans. */
+/** The version of this package, and the hashes of the wasm files that plan: the same hashes make the same plans. */
 export async function version(): Promise<string> {
-  const wasm = await loadedFile('kerfway', () => readFile(new URL('../pkg/kerfway_bg.wasm', import.meta.url)));
-  return `${await packageVersion()}\nkerfway_bg.wasm sha256 ${createHash('sha256').update(wasm).digest('hex')}`;
+  const hashes = ['kerfway', 'kerfway_research'].map(async (name) => {
+    const wasm = await loadedFile(name, () => readFile(new URL(`../pkg/${name}_bg.wasm`, import.meta.url)));
+    return `${name}_bg.wasm sha256 ${createHash('sha256').update(wasm).digest('hex')}`;
+  });
+  return [await packageVersion(), ...(await Promise.all(hashes))].join('\n');
 }
