@@ -3,8 +3,8 @@
 use super::length::{Axis, Lengths};
 use super::numbers::Scanner;
 use super::outline::{Chain, Piece};
+use super::own::Own;
 use super::path_data;
-use super::style::Own;
 use super::xml::Document;
 use crate::geometry::{DVec2, Ellipse};
 use std::cell::Cell;

@@ -2,7 +2,7 @@
 
 use super::aspect::ViewBox;
 use super::length::{Axis, Lengths};
-use super::style::Own;
+use super::own::Own;
 use super::xml::Document;
 use crate::geometry::{Affine, DVec2};
 

@@ -13,7 +13,7 @@ import { publint } from 'publint';
 import { install, pack, ROOT } from './support.mjs';
 
 /** kB, packed: four wasm files, the core and the writers once more in the single file and as text for `inline`, the scripts, and the list of changes. */
-const PACKED_BUDGET = 5615;
+const PACKED_BUDGET = 5630;
 
 describe('the published package', () => {
   let at, packed;

@@ -1,8 +1,8 @@
 //! Copies (`use`): the element that each copies, unless that is inside itself.
 
 use super::super::length::Axis;
-use super::super::report::Subject;
-use super::super::style::Own;
+use super::super::own::Own;
+use super::super::subject::Subject;
 use super::super::xml::Space;
 use super::{Copy, Frame, Place, Walker};
 use crate::geometry::{Affine, DVec2};

@@ -3,8 +3,9 @@
 use super::super::layers::{Key, Line};
 use super::super::length::Axis;
 use super::super::outline::{Chain, Piece};
-use super::super::report::{Hidden, Subject};
-use super::super::style::{Own, Paint};
+use super::super::own::Own;
+use super::super::style::Paint;
+use super::super::subject::{Hidden, Subject};
 use super::super::{shape, trace};
 use super::{Place, Walker};
 use crate::drawing::Shape;
@@ -63,7 +64,7 @@ impl Walker<'_, '_> {
         for (is_so, subject) in [
             (matches!(line, Line::Filled(_)), Subject::Filled(kind)),
             (fill == Paint::Pattern, Subject::Patterned),
-            (line == Line::Stroke(Paint::Unread) || line == Line::Filled(Paint::Unread), Subject::Colour),
+            (line == Line::Stroke(Paint::Unread) || line == Line::Filled(Paint::Unread), Subject::Color),
             (stroke != Paint::None && width > WIDE, Subject::Wide),
             (stroke != Paint::None && style.width <= 0.0, Subject::Thin),
             (stroke != Paint::None && style.dashed, Subject::Dashed),

@@ -1,8 +1,8 @@
 //! The transforms that an element has itself: `translate`, `rotate`, `scale` and `transform`, about their origin.
 
 use super::super::length::Lengths;
-use super::super::report::Subject;
-use super::super::style::{Own, Reference};
+use super::super::own::{Own, Reference};
+use super::super::subject::Subject;
 use super::super::{shape, trace, transform};
 use super::{Place, Walker};
 use crate::geometry::{Aabb, Affine, DVec2};
