@@ -238,6 +238,13 @@ fn style_sheets_that_are_not_read_are_findings() {
         page(&format!("<style media=\"print\">circle{{display:none}}</style>{}", circle(9.0, 9.0, "")));
     assert_eq!(boxes(&printed), [around(9.0, 9.0)]);
     assert!(says(&printed, "1 style sheet is not read"), "{:?}", messages(&printed));
+    for more in ["", "media=\"\"", "media=\"print, Screen\"", "type=\"text/CSS\" media=\"all\""] {
+        let hides = format!(
+            "<style {more}>circle{{display:none}}</style><path d=\"M1 1h9v9z\"/>{}",
+            circle(9.0, 9.0, "")
+        );
+        assert_eq!(boxes(&page(&hides)), [[1.0, 1.0, 10.0, 10.0]], "{more}");
+    }
     let text = format!(
         "<?xml-stylesheet type=\"text/css\" href=\"cut.css\"?><svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9mm\" viewBox=\"0 0 9 9\">{}</svg>",
         circle(4.0, 4.0, "")

@@ -192,10 +192,12 @@ impl<'a> Builder<'a> {
 
     /// Whether a style sheet is one of CSS, and for screens.
     fn is_applied(&self, sheet: u32) -> bool {
-        let is_one_of = |name: &str, known: [&str; 3]| {
-            self.document.attribute(sheet, name).is_none_or(|v| known.contains(&v.trim()))
-        };
-        is_one_of("type", ["", "text/css", "text/CSS"]) && is_one_of("media", ["", "all", "screen"])
+        const SCREENS: [&str; 5] = ["", "all", "screen", "only all", "only screen"];
+        let value =
+            |name: &str| self.document.attribute(sheet, name).unwrap_or_default().trim().to_ascii_lowercase();
+        let (language, media) = (value("type"), value("media"));
+        matches!(language.as_str(), "" | "text/css")
+            && media.split(',').any(|one| SCREENS.contains(&one.trim()))
     }
 
     /// A reference to an entity in the text of an element.
