@@ -66,7 +66,9 @@ fn published(name: &str, parameters: &str) -> Option<Result<Box<dyn Solver>, Fie
 }
 
 #[cfg(feature = "research")]
-use papers::names as names_of_published;
+fn names_of_published() -> impl Iterator<Item = &'static str> {
+    papers::names()
+}
 
 #[cfg(not(feature = "research"))]
 fn published(_name: &str, _parameters: &str) -> Option<Result<Box<dyn Solver>, FieldError>> {

@@ -1,6 +1,7 @@
 //! What an element sets for itself, and no element inside it inherits: whether it is shown, its transforms, and the places and
 //! sizes that style sheets give it.
 
+use super::length::{Axis, Lengths};
 use super::xml::Document;
 
 /// What an element sets for itself only.
@@ -43,6 +44,23 @@ pub(super) enum Reference {
 pub(super) const GEOMETRY: [&str; 10] = ["x", "y", "width", "height", "rx", "ry", "cx", "cy", "r", "d"];
 
 impl Own {
+    /// Whether it is moved, turned or scaled.
+    pub(super) fn is_transformed(&self) -> bool {
+        self.transform.is_some() || self.moves.iter().any(Option::is_some)
+    }
+
+    /// A place or size in user units; `None` if there is none that can be read.
+    pub(super) fn length(
+        &self,
+        document: &Document<'_>,
+        element: u32,
+        name: &str,
+        axis: Axis,
+        lengths: &Lengths,
+    ) -> Option<f64> {
+        self.geometry(document, element, name).and_then(|text| lengths.read(text, axis))
+    }
+
     /// A place or size: that of a style sheet, or else the attribute.
     pub(super) fn geometry<'o>(
         &'o self,

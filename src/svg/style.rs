@@ -97,9 +97,11 @@ pub(super) fn resolve(
     let inline: Vec<Declaration<'_>> = declarations(&inline).collect();
     for important in [false, true] {
         for d in rules.iter().chain(&inline).filter(|d| d.important == important) {
-            let name = d.name.to_ascii_lowercase();
-            cascade.apply(&name, d.value);
-            cascade.apply_property(&name, d.value);
+            let has_capitals = d.name.bytes().any(|b| b.is_ascii_uppercase());
+            let name = if has_capitals { Cow::Owned(d.name.to_ascii_lowercase()) } else { d.name.into() };
+            if !cascade.apply_property(&name, d.value) {
+                cascade.apply(&name, d.value);
+            }
         }
     }
     (cascade.style, cascade.own)
@@ -188,16 +190,16 @@ impl Cascade<'_> {
         }
     }
 
-    /// Applies what is a property only: as an attribute, it is none, or has another syntax.
-    fn apply_property(&mut self, name: &str, value: &str) {
+    /// Applies what is a property only: as an attribute, it is none, or has another syntax. Returns whether it is one of these.
+    fn apply_property(&mut self, name: &str, value: &str) -> bool {
         let is_geometry = GEOMETRY.contains(&name);
         let which = ["translate", "rotate", "scale"].iter().position(|n| *n == name);
         if !is_geometry && which.is_none() && !matches!(name, "offset" | "offset-path") {
-            return;
+            return false;
         }
         let Some(value) = self.replaced(value) else {
             self.own.unread = true;
-            return;
+            return true;
         };
         match which {
             Some(k) => self.own.moves[k] = Some(value.into_owned()).filter(|v| v != "none"),
@@ -214,6 +216,7 @@ impl Cascade<'_> {
             }
             None => self.own.unread |= value != "none",
         }
+        true
     }
 
     fn set_paint(&mut self, which: usize, paint: Paint) {

@@ -61,7 +61,7 @@ pub(super) enum Hidden {
 }
 
 impl Subject {
-    /// The finding about so many of them.
+    /// The code, the severity and the sentence of the finding for `n` of them.
     pub(super) fn sentence(&self, n: u32) -> (Code, Severity, String) {
         use Severity::{Error, Info, Warning};
         let many = |one: &str, many: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {many}") };
@@ -205,8 +205,8 @@ impl Subject {
                 Code::UnsupportedEntity,
                 Info,
                 format!(
-                    "{n} style {} not read: another file, or not one for screens. Check that nothing is missing.",
-                    if n == 1 { "sheet is" } else { "sheets are" }
+                    "{} not read: another file, or not one for screens. Check that nothing is missing.",
+                    many("style sheet is", "style sheets are")
                 ),
             ),
             Self::Rules => (

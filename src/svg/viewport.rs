@@ -15,7 +15,7 @@ pub(super) fn inside(
     given: [Option<f64>; 2],
     lengths: &Lengths,
 ) -> (Affine, DVec2) {
-    let length = |name: &str, axis| own.geometry(document, element, name).and_then(|t| lengths.read(t, axis));
+    let length = |name: &str, axis| own.length(document, element, name, axis, lengths);
     let at = DVec2::new(length("x", Axis::Width).unwrap_or(0.0), length("y", Axis::Height).unwrap_or(0.0));
     let size = DVec2::new(
         given[0].or(length("width", Axis::Width)).unwrap_or(lengths.viewport.x),

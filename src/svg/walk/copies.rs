@@ -11,8 +11,7 @@ impl Walker<'_, '_> {
     /// Visits the element that a `use` copies.
     pub(super) fn copy(&mut self, element: u32, own: &Own, mut place: Place) {
         let lengths = self.lengths(&place);
-        let length =
-            |name: &str, axis| own.geometry(self.document, element, name).and_then(|t| lengths.read(t, axis));
+        let length = |name: &str, axis| own.length(self.document, element, name, axis, &lengths);
         let offset =
             DVec2::new(length("x", Axis::Width).unwrap_or(0.0), length("y", Axis::Height).unwrap_or(0.0));
         let size = [length("width", Axis::Width), length("height", Axis::Height)];

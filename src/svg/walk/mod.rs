@@ -151,7 +151,7 @@ impl<'w, 'a> Walker<'w, 'a> {
 
     fn root(&mut self, place: &Place) {
         let (inside, own) = self.enter(0, place);
-        if own.transform.is_some() || own.moves.iter().any(Option::is_some) {
+        if own.is_transformed() {
             self.walked.report.count(Subject::Page, None, None, None);
         }
         self.notes(0, &own, &inside);

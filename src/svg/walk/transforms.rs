@@ -10,7 +10,7 @@ use crate::geometry::{Aabb, Affine, DVec2};
 impl Walker<'_, '_> {
     /// The map of the transforms of an element, in the units of the place around it. What cannot be read is counted.
     pub(super) fn transforms(&mut self, element: u32, own: &Own, place: &Place) -> Affine {
-        if own.transform.is_none() && own.moves.iter().all(Option::is_none) {
+        if !own.is_transformed() {
             return Affine::IDENTITY;
         }
         let lengths = self.lengths(place);
@@ -22,10 +22,7 @@ impl Walker<'_, '_> {
             }),
             Reference::Stroke => None,
         };
-        let map = match listed(own) {
-            Some(list) => transform::read(&list, &in_box.map_or(lengths, |b| b.1)),
-            None => None,
-        };
+        let map = listed(own).and_then(|list| transform::read(&list, &in_box.map_or(lengths, |b| b.1)));
         let (id, at) = (self.id(element), Some(place.map.point(DVec2::ZERO)));
         let Some(map) = map else {
             self.walked.report.count(Subject::Transform, None, id, at);
